@@ -1,0 +1,182 @@
+"""A mechanism as frozen data: links, joints, geometry, and what is asked of it.
+
+The model holds what a file says and nothing that follows from it.  Names are unique
+and every reference resolves: `mechanism.files` refuses anything else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from fractions import Fraction
+from typing import Any, Literal, TypeAlias
+
+from screwkit.algebra.expression import ZERO, Expression
+
+VectorExpression: TypeAlias = tuple[Expression, Expression, Expression]
+Space: TypeAlias = Literal["spatial", "planar"]
+Geometry: TypeAlias = Literal["posture", "reference", "mdh"]
+
+
+class JointType(StrEnum):
+    """The joints and contacts of the file format."""
+
+    REVOLUTE = "revolute"
+    PRISMATIC = "prismatic"
+    HELICAL = "helical"
+    CYLINDRICAL = "cylindrical"
+    UNIVERSAL = "universal"
+    SPHERICAL = "spherical"
+    PLANAR = "planar"
+    FIXED = "fixed"
+    POINT = "point"
+    HARD_FINGER = "hard_finger"
+    SOFT_FINGER = "soft_finger"
+    LINE = "line"
+    LINE_FRICTION = "line_friction"
+    PLANE = "plane"
+    COMPLETE = "complete"
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A symbol of the file that is no joint variable.
+
+    Attributes:
+        value: For numbers and pictures; None where the file gives none.
+        positive: Assumed > 0 in every derivation.
+        nonzero: Assumed ≠ 0 (implied by ``positive``).
+        angle: Declared as an angle (``variables: {phi: {angle: true}}``).
+        free: Declared under ``variables``, not under ``parameters``.
+    """
+
+    name: str
+    value: Expression | None = None
+    positive: bool = False
+    nonzero: bool = False
+    angle: bool = False
+    free: bool = False
+
+
+@dataclass(frozen=True)
+class MdhRow:
+    """Modified Denavit-Hartenberg parameters of a joint [KhalilKleinfinger1986].
+
+    The transform from the antecedent's frame is
+    rot_z(gamma) trans_z(b) rot_x(alpha) trans_x(d) rot_z(theta) trans_z(r).
+    """
+
+    gamma: Expression = ZERO
+    b: Expression = ZERO
+    alpha: Expression = ZERO
+    d: Expression = ZERO
+    theta: Expression = ZERO
+    r: Expression = ZERO
+
+
+@dataclass(frozen=True)
+class Joint:
+    """One joint or contact; its motion is that of ``child`` relative to ``parent``.
+
+    Attributes:
+        variables: One name per freedom, in the order of interface.md.
+        offsets: One per freedom; the angle or length used is variable + offset.
+        actuated: The actuated freedoms, from 0, ascending.
+        mdh: The row of an ``mdh`` file; None for joints that carry none.
+        axes: Directions: one for R P H C, two for U (in parent, in child).
+        point: A point of the axis, the centre, or the contact point.
+        normal: Common normal of a contact or of a planar joint.
+        line: Line of contact.
+        pitch: Advance per radian of a helical joint.
+    """
+
+    name: str
+    type: JointType
+    parent: str
+    child: str
+    variables: tuple[str, ...] = ()
+    offsets: tuple[Expression, ...] = ()
+    actuated: tuple[int, ...] = ()
+    mdh: MdhRow | None = None
+    axes: tuple[VectorExpression, ...] = ()
+    point: VectorExpression | None = None
+    normal: VectorExpression | None = None
+    line: VectorExpression | None = None
+    pitch: Expression | None = None
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One expected value of a case.
+
+    Attributes:
+        question: Dotted path into the JSON results, ``mobility.loop_rank``.
+        value: Plain data as written in the file.
+        status: ``published``, ``derived`` or ``regression``.
+        source: Where the value comes from, or the argument for it.
+        holds: False for a printed value that does not hold; ``note`` says what does.
+    """
+
+    question: str
+    value: Any
+    status: str
+    source: str
+    holds: bool = True
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """Everything that a mechanism file declares, resolved and checked."""
+
+    name: str
+    title: str
+    base: str
+    platform: str
+    links: tuple[str, ...]
+    joints: tuple[Joint, ...]
+    geometry: Geometry
+    space: Space = "spatial"
+    source: str = ""
+    units: str = ""
+    parameters: tuple[Parameter, ...] = ()
+    limb_names: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    claims: tuple[Claim, ...] = ()
+    reference_point: VectorExpression | None = None
+
+    def joint(self, name: str) -> Joint:
+        """The joint of that name.
+
+        Raises:
+            KeyError: If there is none.
+        """
+        for joint in self.joints:
+            if joint.name == name:
+                return joint
+        raise KeyError(name)
+
+    @property
+    def joint_variables(self) -> tuple[str, ...]:
+        """All joint variables, joint by joint."""
+        return tuple(name for joint in self.joints for name in joint.variables)
+
+    @property
+    def actuated(self) -> tuple[str, ...]:
+        """The declared scheme, each freedom as in `freedom_label`."""
+        return tuple(
+            freedom_label(joint, index)
+            for joint in self.joints
+            for index in joint.actuated
+        )
+
+
+def freedom_label(joint: Joint, index: int) -> str:
+    """How a freedom is written: ``name``, or ``name:k`` where a joint has several."""
+    return joint.name if len(joint.variables) == 1 else f"{joint.name}:{index}"
+
+
+def exact_value(parameter: Parameter) -> Fraction | None:
+    """The value of a parameter where it is a plain rational."""
+    value = parameter.value
+    return getattr(value, "value", None) if value is not None else None

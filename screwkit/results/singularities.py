@@ -1,0 +1,129 @@
+"""What `singularities` answers: exact loci as irreducible components."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Solution:
+    """An equation solved for one variable.
+
+    Attributes:
+        variable: A joint variable, a free symbol or a parameter.
+        values: All branches; angles in (−π, π] where that can be decided.
+        modulo: The shortest way to write the branches of an angle: ``pi`` when the
+            values differ by π, else ``2*pi``; empty for lengths.
+    """
+
+    variable: str
+    values: tuple[str, ...]
+    modulo: str = ""
+
+
+@dataclass(frozen=True)
+class Component:
+    """An irreducible part of a singular locus.
+
+    Attributes:
+        equations: Grammar text; the component is where all of them vanish.
+        codimension: In the space of the free symbols.
+        solutions: Of the equations that can be solved for one variable.
+        rank: Of the matrix concerned, generic on the component.
+        geometry: What happens there in words; None where no sentence was found.
+        wrench_dimension: Of the platform's constraint wrenches (for actuation, with
+            the actuated joints locked), generic on the component.
+        platform_freedom: Dimension of the platform's twists there.
+        mobility: Of the whole mechanism there.
+    """
+
+    equations: tuple[str, ...]
+    codimension: int
+    solutions: tuple[Solution, ...]
+    rank: int
+    geometry: str | None = None
+    wrench_dimension: int | None = None
+    platform_freedom: int | None = None
+    mobility: int | None = None
+
+
+@dataclass(frozen=True)
+class Intersection:
+    """What happens where several components of one limb meet.
+
+    Attributes:
+        components: Their numbers, from 0, in the list of the limb.
+        extra: Further equations that must vanish for this rank; may be empty.
+    """
+
+    components: tuple[int, ...]
+    extra: tuple[str, ...]
+    rank: int
+
+
+@dataclass(frozen=True)
+class LimbSingularities:
+    """Where one limb's twist system loses rank.
+
+    Attributes:
+        complete: Proved that there is no other component.
+        proof: The argument in words; empty where not complete.
+        reason: Why it is not complete; empty where it is.
+    """
+
+    limb: str
+    joints: tuple[str, ...]
+    generic_rank: int
+    complete: bool
+    components: tuple[Component, ...]
+    intersections: tuple[Intersection, ...] = ()
+    proof: str = ""
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class ConstraintSingularities:
+    """Where the loop constraint matrix loses rank."""
+
+    generic_rank: int
+    complete: bool
+    components: tuple[Component, ...]
+    proof: str = ""
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class ActuationSingularities:
+    """Where, with the actuated joints locked, the platform can move.
+
+    Attributes:
+        admissible: Whether locking them stops the platform for generic values.
+        idle: Where only a limb moves with the actuated joints locked.
+        witness: For an inadmissible scheme: why.
+    """
+
+    actuated: tuple[str, ...]
+    admissible: bool
+    generic_rank: int
+    complete: bool
+    components: tuple[Component, ...]
+    idle: tuple[Component, ...] = ()
+    witness: str = ""
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class Singularities:
+    """The answer of ``singularities``.
+
+    Attributes:
+        actuation: None where the file declares no actuated joint.
+        assumptions: What the derivation took for granted, ``d3 > 0``.
+    """
+
+    case: str
+    title: str
+    limb: tuple[LimbSingularities, ...]
+    constraint: ConstraintSingularities
+    actuation: ActuationSingularities | None
+    assumptions: tuple[str, ...] = ()
