@@ -1,0 +1,176 @@
+"""Integers modulo a 61-bit prime: one random exact posture.
+
+Every symbol gets a random value, every angle a random point of the circle, and ranks
+of what the kinematics returns are ranks over a field.  A rank can come out too small
+only if a polynomial that is not zero vanishes at the random point, which happens with
+probability below degree/2⁶⁰ [Schwartz1980]; it never comes out too large.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any, TypeAlias
+
+from flint import fmpz, nmod, nmod_mat, nmod_poly
+
+from screwkit.algebra.expression import Expression
+
+Residue: TypeAlias = Any  # flint.nmod, which has no type stubs
+
+LARGEST = 2**61 - 1
+
+
+class ResampleError(Exception):
+    """The random point lies where a root or an inverse does not exist; draw again."""
+
+
+def random_prime(source: random.Random) -> int:
+    """A random prime of 60 to 61 bits."""
+    while True:
+        candidate = source.randrange(2**60, LARGEST) | 1
+        if fmpz(candidate).is_prime():
+            return candidate
+
+
+class ModularRing:
+    """Residues mod a prime, with values drawn on demand and kept.
+
+    Attributes:
+        prime: The modulus.
+    """
+
+    def __init__(self, seed: int = 0, prime: int = LARGEST) -> None:
+        self.prime = prime
+        self._source = random.Random(seed)
+        self._symbols: dict[str, Residue] = {}
+        self._angles: dict[str, tuple[Residue, Residue]] = {}
+        self._roots: dict[Expression, Residue] = {}
+        self._zero, self._one = nmod(0, prime), nmod(1, prime)
+        self._circle: tuple[int, tuple[Residue, Residue]] | None = None
+
+    @property
+    def zero(self) -> Residue:
+        """0 mod p."""
+        return self._zero
+
+    @property
+    def one(self) -> Residue:
+        """1 mod p."""
+        return self._one
+
+    def rational(self, value: Fraction) -> Residue:
+        """Numerator over denominator mod p."""
+        return nmod(value.numerator, self.prime) / nmod(value.denominator, self.prime)
+
+    def symbol(self, name: str) -> Residue:
+        """The value drawn for this symbol."""
+        if name not in self._symbols:
+            self._symbols[name] = self._draw()
+        return self._symbols[name]
+
+    def cosine_sine(self, angle: str) -> tuple[Residue, Residue]:
+        """The point of the circle drawn for this angle."""
+        if angle not in self._angles:
+            self._angles[angle] = self._point()
+        return self._angles[angle]
+
+    def half_turns(self, count: Fraction) -> tuple[Residue, Residue]:
+        """(cos, sin) of a multiple of π from a root of unity.
+
+        Raises:
+            ResampleError: If this prime has no such root of unity; see `prime_for`.
+        """
+        order = 2 * count.denominator
+        root = self._unity(4 * order)
+        imaginary = root**order
+        turn = root ** ((4 * count.numerator) % (4 * order))
+        half = nmod(1, self.prime) / nmod(2, self.prime)
+        back = 1 / turn
+        return (turn + back) * half, (turn - back) * half / imaginary
+
+    def radians(self, value: Fraction) -> tuple[Residue, Residue]:
+        """A transcendental constant: drawn like a free angle."""
+        if not value:
+            return self._one, self._zero
+        cosine, sine = self.cosine_sine(str(abs(value)))
+        return cosine, sine if value > 0 else -sine
+
+    def square_root(self, radicand: Expression, value: Residue) -> Residue:
+        """A square root mod p, always the same one for the same radicand.
+
+        Raises:
+            ResampleError: If there is none at this point.
+        """
+        if radicand not in self._roots:
+            polynomial = nmod_poly([int(-value), 0, 1], self.prime)
+            roots = [root for root, _ in polynomial.roots()]
+            if not roots:
+                raise ResampleError
+            self._roots[radicand] = roots[0]
+        return self._roots[radicand]
+
+    def inverse(self, divisor: Expression, value: Residue) -> Residue:
+        """1/value.
+
+        Raises:
+            ResampleError: If the divisor vanishes here.
+        """
+        if value == 0:
+            raise ResampleError
+        return 1 / value
+
+    def normal(self, value: Residue) -> Residue:
+        """Residues are their own normal form."""
+        return value
+
+    def is_zero(self, value: Residue) -> bool:
+        """Whether the residue is 0."""
+        return bool(value == 0)
+
+    def _draw(self) -> Residue:
+        return nmod(self._source.randrange(1, self.prime), self.prime)
+
+    def _point(self) -> tuple[Residue, Residue]:
+        while True:
+            t = self._draw()
+            below = 1 + t * t
+            if below != 0:
+                return (1 - t * t) / below, 2 * t / below
+
+    def _unity(self, order: int) -> Residue:
+        if (self.prime - 1) % order:
+            raise ResampleError
+        if self._circle is None or self._circle[0] % order:
+            power = (self.prime - 1) // order
+            fixed = random.Random(order)
+            factors = [int(p) for p, _ in fmpz(order).factor()]
+            while True:
+                root = nmod(fixed.randrange(2, self.prime), self.prime) ** power
+                if all(root ** (order // p) != 1 for p in factors):
+                    break
+            self._circle = (order, (root, root))
+        kept, (root, _) = self._circle
+        return root ** (kept // order)
+
+
+def prime_for(turn: int, radicands: Sequence[Fraction], seed: int) -> int:
+    """A random prime in which cos(kπ/turn) and the roots of these rationals exist."""
+    source = random.Random(seed)
+    step = 16 * turn
+    while True:
+        prime = source.randrange(2**60 // step, LARGEST // step) * step + 1
+        if fmpz(prime).is_prime() and all(
+            pow(r.numerator * r.denominator % prime, (prime - 1) // 2, prime) <= 1
+            for r in radicands
+        ):
+            return prime
+
+
+def rank(rows: Sequence[Sequence[Residue]], prime: int) -> int:
+    """Rank of a matrix of residues."""
+    if not rows or not rows[0]:
+        return 0
+    entries = [int(value) for row in rows for value in row]
+    return int(nmod_mat(len(rows), len(rows[0]), entries, prime).rank())
