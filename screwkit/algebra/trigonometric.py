@@ -108,6 +108,7 @@ class TrigonometricRing:
         self._angle_pairs = self._declared_angles()
         self._extended: dict[Expression, Polynomial] = {}
         self._divisor_values: dict[str, Polynomial] = {}
+        self._radicands: dict[str, Polynomial] = {}
         self._extend(index)
 
     # -- construction ------------------------------------------------------------
@@ -130,6 +131,7 @@ class TrigonometricRing:
             generator = self._gens[extension.name]
             if extension.kind == "root":
                 exact = _polynomial_root(inside)
+                self._radicands[extension.name] = inside
                 self._extended[extension.of] = generator if exact is None else exact
                 relation = (index[extension.name], 2, generator**2 - inside)
                 self._relations.insert(0, relation)
@@ -230,9 +232,43 @@ class TrigonometricRing:
         return bool(self.extensions or self._constants.generators)
 
     @property
+    def constant_angles(self) -> tuple[str, ...]:
+        """Names of the basis angles that are rational numbers of radians."""
+        return tuple(str(angle) for angle in self._rational_angles)
+
+    def algebraic_relations(
+        self,
+    ) -> list[tuple[int, Polynomial | tuple[int, ...]]]:
+        """(generator, radicand or minimal polynomial), inner ones first."""
+        index = {name: i for i, name in enumerate(self.names)}
+        found: list[tuple[int, Polynomial | tuple[int, ...]]] = [
+            (index[name], coefficients)
+            for name, coefficients in self._constants.minimal_polynomials.items()
+        ]
+        found += [
+            (index[extension.name], self._radicands[extension.name])
+            for extension in reversed(self.extensions)
+            if extension.kind == "root"
+        ]
+        return found
+
+    @property
     def constant_generators(self) -> Mapping[str, str]:
         """Text of the algebraic numbers by the name of their generator."""
         return self._constants.texts
+
+    def sine_index(self, angle: int) -> int:
+        """Index of the generator of a basis angle's sine."""
+        return len(self.extensions) + angle
+
+    def cosine_index(self, angle: int) -> int:
+        """Index of the generator of a basis angle's cosine."""
+        return len(self.extensions) + len(self.basis) + angle
+
+    def symbol_indices(self) -> range:
+        """Indices of the generators of the symbols."""
+        start = len(self.extensions) + 2 * len(self.basis)
+        return range(start, start + len(self.symbols))
 
     def generator(self, name: str) -> Polynomial:
         """A generator by its internal name."""

@@ -10,12 +10,11 @@ References: [KhalilKleinfinger1986], [LongCaroKhalil2012] eq. (2) for the transf
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Generic
 
 from screwkit.algebra.evaluation import add_angles, cosine_sine, evaluate
-from screwkit.algebra.expression import ZERO
 from screwkit.algebra.ring import Ring, S
 from screwkit.errors import UndecidedError
 from screwkit.mechanism.model import Joint, JointType, MdhRow, Mechanism
@@ -67,15 +66,26 @@ def parent_from_joint(joint: Joint, row: MdhRow, ring: Ring[S]) -> Displacement[
 
 
 def placed_links(
-    mechanism: Mechanism, ring: Ring[S], origin: str
+    mechanism: Mechanism,
+    ring: Ring[S],
+    origin: str,
+    joints: Collection[str] | None = None,
 ) -> Mapping[str, Displacement[S]]:
     """origin_from_link for every link that rows of the table connect with ``origin``.
+
+    Args:
+        mechanism: An ``mdh`` mechanism.
+        ring: Where the coordinates live.
+        origin: The link whose frame is used.
+        joints: Follow only these joints; all of them by default.
 
     Raises:
         UndecidedError: If the mechanism is no ``mdh`` file, or its table places a link
             twice, which ties joint variables together.
     """
     rows = table_joints(mechanism)
+    if joints is not None:
+        rows = tuple(joint for joint in rows if joint.name in joints)
     neighbours: dict[str, list[tuple[str, Joint, bool]]] = {}
     for joint in rows:
         neighbours.setdefault(joint.parent, []).append((joint.child, joint, True))
@@ -130,14 +140,26 @@ GRASPS = (JointType.FIXED, JointType.COMPLETE)
 
 
 def joint_twists(
-    mechanism: Mechanism, ring: Ring[S], origin: str
+    mechanism: Mechanism,
+    ring: Ring[S],
+    origin: str,
+    joints: Collection[str] | None = None,
 ) -> Mapping[str, JointTwist[S]]:
-    """The twist of every moving joint in the frame of ``origin``, by joint name."""
-    placed = placed_links(mechanism, ring, origin)
+    """The twist of every moving joint in the frame of ``origin``, by joint name.
+
+    Args:
+        mechanism: An ``mdh`` mechanism.
+        ring: Where the coordinates live.
+        origin: The link whose frame is used.
+        joints: Only these joints; all of them by default.
+    """
+    placed = placed_links(mechanism, ring, origin, joints)
     twists: dict[str, JointTwist[S]] = {}
     zero = (ring.zero, ring.zero, ring.zero)
     for joint in table_joints(mechanism):
         if joint.type not in MOVING or joint.child not in placed:
+            continue
+        if joints is not None and joint.name not in joints:
             continue
         frame = placed[joint.child]
         axis = vector.column(frame.rotation, 2)
@@ -152,8 +174,3 @@ def joint_twists(
 
 MOVING = (JointType.REVOLUTE, JointType.PRISMATIC)
 
-
-def constant_rotation(joint: Joint) -> bool:
-    """Whether a row turns nothing but about its own z axis: parallel to its antecedent."""
-    row = joint.mdh or MdhRow()
-    return row.alpha == ZERO

@@ -1,0 +1,459 @@
+"""A piece of the configuration space, given by conditions that have been solved.
+
+A branch starts as the whole space.  Restricting it by an irreducible condition solves
+that condition where it can be solved polynomially (``sin q4 = 0`` in two sheets, a
+condition linear in a length, an angle fixed by numbers) and substitutes, so that
+everything later becomes shorter; what cannot be solved stays as a pending condition,
+of which only exact points are used.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+from flint import fmpz, nmod_poly
+
+from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.points import Point, random_angle, random_point, residue
+from screwkit.algebra.survey import rational_root
+from screwkit.algebra.trigonometric import (
+    Polynomial,
+    TrigonometricRing,
+    as_fraction,
+)
+
+
+@dataclass(frozen=True)
+class Substitution:
+    """Generators replaced by polynomials, over a divisor that is nowhere zero there.
+
+    Attributes:
+        images: (index of a generator, its numerator).
+        divisor: Common denominator of the images.
+        relation: A further relation in one generator, (index, degree, polynomial).
+    """
+
+    images: tuple[tuple[int, Polynomial], ...]
+    divisor: Polynomial
+    relation: tuple[int, int, Polynomial] | None = None
+
+
+@dataclass(frozen=True)
+class Branch:
+    """A piece of the configuration space of a ring.
+
+    Attributes:
+        conditions: The irreducible polynomials that vanish on it, in order.
+        steps: How they were solved.
+        pending: Conditions that could not be solved.
+    """
+
+    ring: TrigonometricRing
+    assumptions: Assumptions
+    conditions: tuple[Polynomial, ...] = ()
+    steps: tuple[Substitution, ...] = ()
+    pending: tuple[Polynomial, ...] = ()
+
+    @property
+    def codimension(self) -> int:
+        """Each condition was irreducible and not zero on the branch before it."""
+        return len(self.conditions)
+
+    def column(self, entries: Sequence[Polynomial]) -> list[Polynomial]:
+        """A vector on this branch, up to a common factor that is nowhere zero."""
+        values = list(entries)
+        for step in self.steps:
+            values = _substituted(self.ring, values, step)
+        return values
+
+    def value(self, polynomial: Polynomial) -> Polynomial:
+        """A polynomial on this branch, up to a factor that is nowhere zero."""
+        return self.column([polynomial])[0]
+
+    def point(self, source: random.Random) -> tuple[Point, int] | None:
+        """A random exact point of the branch and its prime; None if none was found."""
+        for _ in range(60):
+            prime = _prime(source)
+            point = self._attempt(source, prime)
+            if point is not None:
+                return point, prime
+        return None
+
+    def _attempt(self, source: random.Random, prime: int) -> Point | None:
+        point = random_point(self.ring, source, prime)
+        fixed: set[int] = set()
+        solved = _solve_pending(self.ring, self.pending, point, source, prime)
+        if solved is None:
+            return None
+        point = solved
+        for step in reversed(self.steps):
+            if step.relation is not None:
+                index, _, polynomial = step.relation
+                root = _root_in(polynomial, index, point, source, prime)
+                if root is None:
+                    return None
+                point[index] = root
+            divisor = residue(step.divisor, point, prime)
+            if not divisor:
+                return None
+            inverse = pow(divisor, -1, prime)
+            images = [(i, residue(p, point, prime)) for i, p in step.images]
+            for index, image in images:
+                point[index] = image * inverse % prime
+                fixed.add(index)
+        if any(residue(p, point, prime) for p in self.pending):
+            return None
+        return point
+
+
+def _prime(source: random.Random) -> int:
+    while True:
+        candidate = fmpz(source.randrange(2**60, 2**61) | 1)
+        if candidate.is_prime():
+            return int(candidate)
+
+
+def restricted(branch: Branch, condition: Polynomial) -> list[Branch]:
+    """The parts of ``branch`` on which ``condition`` vanishes.
+
+    Args:
+        branch: Where ``condition`` is irreducible and not zero.
+        condition: In the generators that are left on the branch.
+
+    Returns:
+        The sheets of the solution; a single branch with a pending condition where it
+        could not be solved; nothing where it has no real zero.
+    """
+    ring = branch.ring
+    conditions = (*branch.conditions, condition)
+    steps = (
+        _angle_steps(ring, condition)
+        or _constant_angle_steps(ring, condition)
+        or _symbol_steps(branch, condition)
+    )
+    if steps is None:
+        return [
+            replace(
+                branch, conditions=conditions, pending=(*branch.pending, condition)
+            )
+        ]
+    return [
+        replace(
+            branch,
+            conditions=conditions,
+            steps=(*branch.steps, step),
+            pending=tuple(
+                _substituted(ring, [p], step)[0] for p in branch.pending
+            ),
+        )
+        for step in steps
+    ]
+
+
+def _angle_steps(
+    ring: TrigonometricRing, condition: Polynomial
+) -> list[Substitution] | None:
+    """P·sin φ + Q·cos φ = 0 with P² + Q² a square number: two sheets."""
+    for angle in range(len(ring.basis)):
+        parts = angle_parts(ring, condition, angle)
+        if parts is None:
+            continue
+        p, q, rest = parts
+        if rest != 0:
+            continue
+        square = ring.normal(p * p + q * q)
+        if not square.is_constant():
+            continue
+        root = rational_root(as_fraction(square))
+        if root is None:
+            continue
+        scale = ring.rational(1 / root)
+        return [
+            Substitution(
+                (
+                    (ring.sine_index(angle), ring.normal(-q * scale * sign)),
+                    (ring.cosine_index(angle), ring.normal(p * scale * sign)),
+                ),
+                ring.one,
+            )
+            for sign in (1, -1)
+        ]
+    return None
+
+
+def _constant_angle_steps(
+    ring: TrigonometricRing, condition: Polynomial
+) -> list[Substitution] | None:
+    """a·sin φ + b·cos φ + c = 0 in numbers: φ is an algebraic constant."""
+    for angle in range(len(ring.basis)):
+        parts = angle_parts(ring, condition, angle)
+        if parts is None or not all(part.is_constant() for part in parts):
+            continue
+        a, b, c = (as_fraction(part) for part in parts)
+        if c * c > a * a + b * b:
+            return []
+        sine, cosine = ring.sines[angle], ring.cosines[angle]
+        # Eliminate the one with a coefficient; the other satisfies a quadratic.
+        if a:
+            kept, gone = cosine, ring.sine_index(angle)
+            index, u, v = ring.cosine_index(angle), -b / a, -c / a
+        else:
+            kept, gone = sine, ring.cosine_index(angle)
+            index, u, v = ring.sine_index(angle), Fraction(0), -c / b
+        image = kept * ring.rational(u) + ring.rational(v)
+        relation = kept * kept + image * image - 1
+        lead = as_fraction(ring.one) + u * u
+        relation = relation * ring.rational(1 / lead)
+        return [Substitution(((gone, image),), ring.one, (index, 2, relation))]
+    return None
+
+
+def _symbol_steps(
+    branch: Branch, condition: Polynomial
+) -> list[Substitution] | None:
+    """A·x + B = 0 where A and B have no common zero: x = −B/A."""
+    ring = branch.ring
+    degrees = condition.degrees()
+    for index in ring.symbol_indices():
+        if degrees[index] != 1:
+            continue
+        factor, rest = linear_parts(ring, condition, index)
+        if branch.assumptions.is_nonzero(ring, factor):
+            return [Substitution(((index, -rest),), factor)]
+        if _never_both(branch, factor, rest):
+            return [Substitution(((index, -rest),), factor)]
+    return None
+
+
+def _never_both(branch: Branch, factor: Polynomial, rest: Polynomial) -> bool:
+    """Whether ``factor`` = 0 implies ``rest`` ≠ 0, by solving ``factor`` = 0."""
+    ring = branch.ring
+    steps = _angle_steps(ring, factor) or _constant_angle_steps(ring, factor)
+    if steps is None:
+        return False
+    return all(
+        branch.assumptions.is_nonzero(ring, _substituted(ring, [rest], step)[0])
+        for step in steps
+    )
+
+
+def angle_parts(
+    ring: TrigonometricRing, polynomial: Polynomial, angle: int
+) -> tuple[Polynomial, Polynomial, Polynomial] | None:
+    """(P, Q, R) with polynomial = P·sin φ + Q·cos φ + R, all free of φ.
+
+    None where φ does not occur or occurs to a higher degree.
+    """
+    sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)
+    degrees = polynomial.degrees()
+    if not 0 < max(degrees[sine], degrees[cosine]) <= 1:
+        return None
+    if degrees[sine] and degrees[cosine]:
+        split: list[dict[tuple[int, ...], Any]] = [{}, {}, {}]
+        for exponents, coefficient in polynomial.to_dict().items():
+            s, c = int(exponents[sine]), int(exponents[cosine])
+            if s and c:
+                return None
+            rest = tuple(
+                0 if i in (sine, cosine) else e for i, e in enumerate(exponents)
+            )
+            split[0 if s else 1 if c else 2][rest] = coefficient
+        p, q, r = (ring.context.from_dict(part) for part in split)
+        return p, q, r
+    index = sine if degrees[sine] else cosine
+    factor, rest = linear_parts(ring, polynomial, index)
+    if index == sine:
+        return factor, ring.zero, rest
+    return ring.zero, factor, rest
+
+
+def linear_parts(
+    ring: TrigonometricRing, polynomial: Polynomial, index: int
+) -> tuple[Polynomial, Polynomial]:
+    """(A, B) with polynomial = A·x + B, for a generator of degree one."""
+    factor = polynomial.derivative(index)
+    rest = polynomial - factor * ring.context.gens()[index]
+    return factor, rest
+
+
+def _substituted(
+    ring: TrigonometricRing, values: Sequence[Polynomial], step: Substitution
+) -> list[Polynomial]:
+    gens = list(ring.context.gens())
+    for index, image in step.images:
+        gens[index] = image
+    if step.divisor.is_constant():
+        scale = ring.rational(1 / as_fraction(step.divisor))
+        for index, image in step.images:
+            gens[index] = image * scale
+        replaced = [_composed(value, gens) for value in values]
+    else:
+        ((index, numerator),) = step.images
+        power = max((int(v.degrees()[index]) for v in values if v != 0), default=0)
+        replaced = [
+            _fraction_free(ring, value, index, numerator, step.divisor, power)
+            for value in values
+        ]
+    normal = [ring.normal(value) for value in replaced]
+    if step.relation is not None:
+        index, degree, relation = step.relation
+        normal = [
+            divmod(v, relation)[1]
+            if v != 0 and v.degrees()[index] >= degree
+            else v
+            for v in normal
+        ]
+    return normal
+
+
+def _composed(value: Polynomial, images: Sequence[Polynomial]) -> Polynomial:
+    return value if value.is_constant() else value.compose(*images)
+
+
+def _fraction_free(
+    ring: TrigonometricRing,
+    value: Polynomial,
+    index: int,
+    numerator: Polynomial,
+    divisor: Polynomial,
+    power: int,
+) -> Polynomial:
+    """divisor^power · value at x = numerator/divisor."""
+    if value == 0:
+        return value
+    if not value.degrees()[index]:
+        return value * divisor**power
+    parts: dict[int, dict[tuple[int, ...], Any]] = {}
+    for exponents, coefficient in value.to_dict().items():
+        rest = tuple(0 if i == index else e for i, e in enumerate(exponents))
+        parts.setdefault(int(exponents[index]), {})[rest] = coefficient
+    total = ring.zero
+    for k, terms in parts.items():
+        total += ring.context.from_dict(terms) * numerator**k * divisor ** (power - k)
+    return total
+
+
+def _root_in(
+    polynomial: Polynomial,
+    index: int,
+    point: Point,
+    source: random.Random,
+    prime: int,
+) -> int | None:
+    """A root mod p of a polynomial in one generator, the others fixed."""
+    coefficients: dict[int, int] = {}
+    values = list(point)
+    values[index] = 1
+    parts: dict[int, dict[tuple[int, ...], Any]] = {}
+    for exponents, coefficient in polynomial.to_dict().items():
+        parts.setdefault(int(exponents[index]), {})[tuple(exponents)] = coefficient
+    context = polynomial.context()
+    for power, terms in parts.items():
+        coefficients[power] = residue(context.from_dict(terms), values, prime)
+    dense = [coefficients.get(k, 0) for k in range(max(coefficients) + 1)]
+    roots = nmod_poly(dense, prime).roots()
+    if not roots:
+        return None
+    return int(source.choice(roots)[0])
+
+
+def _solve_pending(
+    ring: TrigonometricRing,
+    pending: Sequence[Polynomial],
+    point: Point,
+    source: random.Random,
+    prime: int,
+) -> Point | None:
+    """Move the point onto all pending conditions, each along a generator of its own."""
+    remaining = list(pending)
+    while remaining:
+        others = [set(_used(ring, p)) for p in remaining]
+        for position, condition in enumerate(remaining):
+            later = set().union(*others[:position], *others[position + 1 :])
+            free = [u for u in others[position] if u not in later]
+            if free:
+                break
+        else:
+            return None
+        remaining.pop(position)
+        # Solve the others first: they do not contain the variable kept for this one.
+        solved = _solve_pending(ring, remaining, point, source, prime)
+        if solved is None:
+            return None
+        return _onto(ring, condition, free, solved, source, prime)
+    return point
+
+
+def _used(ring: TrigonometricRing, polynomial: Polynomial) -> list[tuple[str, int]]:
+    degrees = polynomial.degrees()
+    used = [("x", i) for i in ring.symbol_indices() if degrees[i]]
+    used += [
+        ("angle", k)
+        for k in range(len(ring.basis))
+        if degrees[ring.sine_index(k)] or degrees[ring.cosine_index(k)]
+    ]
+    return used
+
+
+def _onto(
+    ring: TrigonometricRing,
+    condition: Polynomial,
+    free: Sequence[tuple[str, int]],
+    point: Point,
+    source: random.Random,
+    prime: int,
+) -> Point | None:
+    for kind, number in source.sample(list(free), len(free)):
+        moved = list(point)
+        if kind == "x":
+            root = _root_in(condition, number, point, source, prime)
+            if root:
+                moved[number] = root
+                return moved
+        else:
+            pair = _angle_root(ring, condition, number, point, source, prime)
+            if pair is not None:
+                moved[ring.cosine_index(number)], moved[ring.sine_index(number)] = pair
+                return moved
+    return None
+
+
+def _angle_root(
+    ring: TrigonometricRing,
+    condition: Polynomial,
+    angle: int,
+    point: Point,
+    source: random.Random,
+    prime: int,
+) -> tuple[int, int] | None:
+    """(cos, sin) of an angle that makes the condition vanish, by its half-tangent."""
+    sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)
+    parts: dict[tuple[int, int], dict[tuple[int, ...], Any]] = {}
+    for exponents, coefficient in condition.to_dict().items():
+        key = (int(exponents[sine]), int(exponents[cosine]))
+        rest = tuple(0 if i in (sine, cosine) else e for i, e in enumerate(exponents))
+        parts.setdefault(key, {})[rest] = coefficient
+    degree = max(s + c for s, c in parts)
+    context = condition.context()
+    total = nmod_poly([0], prime)
+    for (s, c), terms in parts.items():
+        value = residue(context.from_dict(terms), point, prime)
+        term = nmod_poly([value], prime)
+        term *= nmod_poly([0, 2], prime) ** s * nmod_poly([1, 0, -1], prime) ** c
+        total += term * nmod_poly([1, 0, 1], prime) ** (degree - s - c)
+    if total == 0:
+        return random_angle(source, prime)
+    if total.degree() < 1:
+        return None
+    roots = [int(root) for root, _ in total.roots()]
+    source.shuffle(roots)
+    for t in roots:
+        below = (1 + t * t) % prime
+        if below:
+            inverse = pow(below, -1, prime)
+            return (1 - t * t) * inverse % prime, 2 * t * inverse % prime
+    return None

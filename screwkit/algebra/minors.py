@@ -1,0 +1,150 @@
+"""All minors of a list of columns: the one core routine of the engine.
+
+Determinants, null vectors, reciprocal screws, actuation wrenches and the scan of all
+actuation schemes are all read from this table.  Nothing is divided while it is built,
+so it is right over any commutative ring.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import reduce
+from typing import TypeAlias
+
+from screwkit.algebra.ring import Ring, S
+
+Bits: TypeAlias = int  # a set of row or column numbers, one bit each
+MinorsOfColumns: TypeAlias = Mapping[Bits, S]  # by row set; zero minors are absent
+MinorTable: TypeAlias = dict[Bits, dict[Bits, S]]  # by column set, then row set
+
+
+def minor_table(
+    ring: Ring[S],
+    columns: Sequence[Sequence[S]],
+    height: int,
+    largest: int | None = None,
+) -> MinorTable[S]:
+    """Expand every minor of ``columns`` once, along its last column.
+
+    Args:
+        ring: Gives normal forms and decides zero.
+        columns: Each of ``height`` scalars in normal form.
+        height: Number of rows.
+        largest: Do not build minors of more columns than this.
+
+    Returns:
+        ``table[columns][rows]`` for every set of columns; minors that are zero for
+        every posture are absent.
+    """
+    limit = height if largest is None else min(height, largest)
+    entries = [
+        [(row, x) for row, x in enumerate(column) if not ring.is_zero(x)]
+        for column in columns
+    ]
+    table: MinorTable[S] = {0: {0: ring.one}}
+    for chosen in range(1, 1 << len(columns)):
+        if chosen.bit_count() > limit:
+            continue
+        last = chosen.bit_length() - 1
+        table[chosen] = _extended(ring, table[chosen ^ 1 << last], entries[last])
+    return table
+
+
+def _extended(
+    ring: Ring[S], minors: Mapping[Bits, S], column: Sequence[tuple[int, S]]
+) -> dict[Bits, S]:
+    sums: dict[Bits, S] = {}
+    for rows, minor in minors.items():
+        for row, entry in column:
+            if rows >> row & 1:
+                continue
+            term = minor * entry
+            if (rows >> row).bit_count() & 1:
+                term = -term
+            larger = rows | 1 << row
+            sums[larger] = sums[larger] + term if larger in sums else term
+    normal = {rows: ring.normal(value) for rows, value in sums.items()}
+    return {rows: value for rows, value in normal.items() if not ring.is_zero(value)}
+
+
+def minors_of(
+    ring: Ring[S], columns: Sequence[Sequence[S]]
+) -> dict[Bits, S]:
+    """The minors that take all ``columns``, by row set."""
+    minors: dict[Bits, S] = {0: ring.one}
+    for column in columns:
+        entries = [(row, x) for row, x in enumerate(column) if not ring.is_zero(x)]
+        minors = _extended(ring, minors, entries)
+    return minors
+
+
+def determinant(ring: Ring[S], columns: Sequence[Sequence[S]]) -> S:
+    """Determinant of a square matrix given by its columns."""
+    return minors_of(ring, columns).get((1 << len(columns)) - 1, ring.zero)
+
+
+def complement_sign(rows: Bits, height: int) -> int:
+    """Sign of the permutation that lists ``rows`` first, then the others."""
+    inversions, others = 0, 0
+    for row in range(height):
+        if rows >> row & 1:
+            inversions += others
+        else:
+            others += 1
+    return -1 if inversions & 1 else 1
+
+
+def dual(
+    ring: Ring[S], minors: Mapping[Bits, S], height: int
+) -> dict[Bits, S]:
+    """Dual of an extensor: of twists, the extensor of their reciprocal wrenches.
+
+    The row numbers of the result count the six coordinates of a linear form, that is
+    (m; f) for twists (ω; v).
+    """
+    full = (1 << height) - 1
+    return {
+        full ^ rows: -value if complement_sign(full ^ rows, height) < 0 else value
+        for rows, value in minors.items()
+    }
+
+
+def joined(
+    ring: Ring[S], left: Mapping[Bits, S], right: Mapping[Bits, S]
+) -> dict[Bits, S]:
+    """The join (wedge) of two extensors given by their coordinates."""
+    sums: dict[Bits, S] = {}
+    for a, x in left.items():
+        for b, y in right.items():
+            if a & b:
+                continue
+            term = x * y
+            if _shuffle_is_odd(a, b):
+                term = -term
+            union = a | b
+            sums[union] = sums[union] + term if union in sums else term
+    normal = {rows: ring.normal(value) for rows, value in sums.items()}
+    return {rows: value for rows, value in normal.items() if not ring.is_zero(value)}
+
+
+def _shuffle_is_odd(left: Bits, right: Bits) -> bool:
+    inversions = 0
+    while right:
+        low = right & -right
+        inversions += (left & ~(low | (low - 1))).bit_count()
+        right ^= low
+    return bool(inversions & 1)
+
+
+def combined(
+    ring: Ring[S], extensors: Sequence[Mapping[Bits, S]], height: int
+) -> dict[Bits, S]:
+    """Join of the duals of several twist extensors: the wrenches of all limbs together.
+
+    Where the limbs' passive twists just fill the loop equations, the result has the one
+    coordinate of the full set of rows, and that is the determinant of the passive
+    columns of the loop constraint matrix, up to sign (Grassmann–Cayley meet).
+    """
+    duals = [dual(ring, minors, height) for minors in extensors]
+    duals.sort(key=len)
+    return reduce(lambda left, right: joined(ring, left, right), duals)

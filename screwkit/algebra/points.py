@@ -1,0 +1,90 @@
+"""Random exact points of the exact ring, modulo a large prime.
+
+A point gives every generator a residue so that all relations hold.  Ranks at such a
+point are generic ranks; on a locus they are the generic ranks of the locus.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from typing import TypeAlias
+
+from flint import fmpz, nmod_mat, nmod_poly
+
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+
+Point: TypeAlias = list[int]
+PRIME = 2**61 - 1
+
+
+def residue(value: Polynomial, point: Sequence[int], prime: int = PRIME) -> int:
+    """The value of a polynomial at a point."""
+    if value.is_constant():
+        if value == 0:
+            return 0
+        constant = value.coeffs()[0]
+    else:
+        constant = value(*point)
+    return int(constant.p) * pow(int(constant.q), -1, prime) % prime
+
+
+def random_point(
+    ring: TrigonometricRing, source: random.Random, prime: int = PRIME
+) -> Point:
+    """A uniformly random point, drawn again where a root does not exist mod p."""
+    while True:
+        point = _attempt(ring, source, prime)
+        if point is not None:
+            return point
+
+
+def _attempt(
+    ring: TrigonometricRing, source: random.Random, prime: int
+) -> Point | None:
+    index = {name: i for i, name in enumerate(ring.names)}
+    point = [0] * len(ring.names)
+    for i in range(len(ring.basis)):
+        cosine, sine = random_angle(source, prime)
+        point[index[f"c{i}"]], point[index[f"s{i}"]] = cosine, sine
+    for i in range(len(ring.symbols)):
+        point[index[f"x{i}"]] = source.randrange(1, prime)
+    for generator, inside in ring.algebraic_relations():
+        if isinstance(inside, tuple):
+            roots = nmod_poly(list(inside), prime).roots()
+            value = int(roots[0][0]) if roots else None
+        else:
+            value = root_modulo(residue(inside, point, prime), prime)
+        if value is None:
+            return None
+        point[generator] = value
+    return point
+
+
+def random_angle(source: random.Random, prime: int) -> tuple[int, int]:
+    """(cos, sin): a random point of the circle mod p."""
+    while True:
+        t = source.randrange(1, prime)
+        below = (1 + t * t) % prime
+        if below:
+            inverse = pow(below, -1, prime)
+            return (1 - t * t) * inverse % prime, 2 * t * inverse % prime
+
+
+def root_modulo(value: int, prime: int) -> int | None:
+    """A square root mod p, or None."""
+    if not value:
+        return 0
+    if pow(value, (prime - 1) // 2, prime) != 1:
+        return None
+    return int(fmpz(value).sqrtmod(prime))
+
+
+def rank_at(
+    columns: Sequence[Sequence[Polynomial]], point: Point, prime: int = PRIME
+) -> int:
+    """Rank of a matrix of polynomials, given by columns, at a point."""
+    if not columns:
+        return 0
+    entries = [residue(entry, point, prime) for column in columns for entry in column]
+    return int(nmod_mat(len(columns), len(columns[0]), entries, prime).rank())
