@@ -1,0 +1,111 @@
+"""What needs no exact work: checking a file, the bundled cases, the schemas."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from screwkit import errors
+from screwkit.errors import MechanismFileError
+from screwkit.terminal import emit, emit_json, faulty, note, text_of
+
+
+def check_case(case: str, *, as_json: bool, quiet: bool) -> int:
+    """Read a file and say whether it is right."""
+    try:
+        mechanism = _read(case)
+    except MechanismFileError as error:
+        return faulty(case, error.source, error.faults, as_json=as_json)
+    counts = _counts(mechanism)
+    if as_json:
+        title = {"title": mechanism.title}
+        emit_json(mechanism.name, {"valid": True, **title, **counts})
+    elif not quiet:
+        emit(
+            f"{case}: right. {counts['links']} bodies, {counts['joints']} joints with "
+            f"{counts['freedoms']} freedoms; base {mechanism.base}, platform "
+            f"{mechanism.platform}\n"
+        )
+    return errors.EXIT_DONE
+
+
+def _read(case: str) -> Any:
+    """The mechanism of a file, or of a bundled case."""
+    path = Path(case)
+    if path.is_file():
+        from screwkit.mechanism.files import read_mechanism  # noqa: PLC0415
+
+        return read_mechanism(path)
+    from screwkit.case import load  # noqa: PLC0415
+
+    return load(case).mechanism
+
+
+def _counts(mechanism: Any) -> dict[str, int]:
+    links, joints = mechanism.links, mechanism.joints
+    group = {link: link for link in links}
+
+    def head(link: str) -> str:
+        while group[link] != link:
+            link = group[link]
+        return link
+
+    for joint in joints:
+        group[head(joint.parent)] = head(joint.child)
+    components = sum(group[link] == link for link in links)
+    return {
+        "links": len(links),
+        "joints": len(joints),
+        "freedoms": sum(len(joint.variables) for joint in joints),
+        "loops": len(joints) - len(links) + components,
+    }
+
+
+def list_cases(*, as_json: bool) -> int:
+    """All bundled cases with their titles and sources."""
+    from screwkit.case import bundled_cases  # noqa: PLC0415
+
+    entries = []
+    for name in bundled_cases():
+        try:
+            mechanism = _read(name)
+        except errors.ScrewkitError as error:
+            note(f"screwkit: {name}: {error}")
+            continue
+        counts = _counts(mechanism)
+        entries.append(
+            {
+                "name": name,
+                "title": mechanism.title,
+                "source": mechanism.source,
+                "joints": counts["joints"],
+                "loops": counts["loops"],
+            }
+        )
+    if as_json:
+        emit_json("", {"cases": entries})
+        return errors.EXIT_DONE
+    from screwkit.reports.sections import CaseEntry, CaseList  # noqa: PLC0415
+
+    emit(text_of(CaseList(tuple(CaseEntry(**entry) for entry in entries))))
+    return errors.EXIT_DONE
+
+
+def print_schema(which: str) -> int:
+    """The JSON Schemas, both in one document or one alone."""
+    import json  # noqa: PLC0415
+
+    schemas: dict[str, Any] = {}
+    if which != "results":
+        from screwkit.mechanism.schema import json_schema  # noqa: PLC0415
+
+        schemas["mechanism"] = json_schema()
+    if which != "mechanism":
+        from screwkit.reports.records import json_schema_of_results  # noqa: PLC0415
+
+        schemas["results"] = json_schema_of_results()
+    if which == "both":
+        emit_json("", schemas)
+    else:
+        emit(json.dumps(schemas[which], indent=1) + "\n")
+    return errors.EXIT_DONE

@@ -1,0 +1,456 @@
+"""The commands: arguments to a request, nothing more.
+
+Everything heavy is imported inside the commands, and the exact work runs in a child
+process, so that ``screwkit --help`` answers at once and no computation is beyond the
+reach of Ctrl-C.
+"""
+
+from __future__ import annotations
+
+import sys
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated, Any, NoReturn
+
+import typer
+
+from screwkit import errors
+
+_EXAMPLE = """Mobility, singularities and actuation of mechanisms, derived exactly.
+
+\b
+  $ screwkit mobility nao_t14
+  $ screwkit singularities arm.yaml --actuated 1,2,3,7
+  $ screwkit schemes nao_t14 --balanced
+  $ screwkit report nao_t14 --format pdf -o report.pdf
+
+CASE is a mechanism file (YAML or JSON) or the name of a bundled case: see
+`screwkit cases`. Exit codes: 0 done; 1 the answer is negative or undecided; 2 usage;
+3 the file is wrong; 4 out of time; 5 a needed tool is missing; 130 interrupted.
+`--debug` anywhere shows tracebacks.
+"""
+
+app = typer.Typer(
+    rich_markup_mode=None,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    no_args_is_help=True,
+    help=_EXAMPLE,
+)
+
+
+class Order(StrEnum):
+    """Which half of a screw is printed first."""
+
+    DIRECTION = "direction"
+    LINEAR = "linear"
+
+
+class Format(StrEnum):
+    """What a report is written as."""
+
+    LATEX = "latex"
+    PDF = "pdf"
+    HTML = "html"
+
+
+class Which(StrEnum):
+    """Whose JSON Schema is wanted."""
+
+    BOTH = "both"
+    MECHANISM = "mechanism"
+    RESULTS = "results"
+
+
+CaseName = Annotated[str, typer.Argument(metavar="CASE", help="File or bundled case.")]
+AsJson = Annotated[bool, typer.Option("--json", help="One JSON document.")]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no notes.")]
+Setting = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="NAME=VALUE", help="A number for a symbol."),
+]
+Actuated = Annotated[
+    str | None,
+    typer.Option(metavar="1,2,3,7", help="Replaces the declared actuated joints."),
+]
+Timeout = Annotated[
+    float | None,
+    typer.Option(metavar="SECONDS", min=0.0, help="Give up after this long."),
+]
+Memory = Annotated[
+    float | None,
+    typer.Option(metavar="GB", min=0.1, help="Address space for the exact work."),
+]
+At = Annotated[
+    list[str] | None,
+    typer.Option(metavar="NAME=VALUE", help="Posture, for posture results."),
+]
+
+
+def _request(
+    question: str,
+    case: str,
+    *,
+    set_values: list[str] | None,
+    actuated: str | None,
+    timeout: float | None,
+    memory: float | None,
+    as_json: bool,
+    quiet: bool,
+    at: list[str] | None = None,
+    options: dict[str, Any] | None = None,
+) -> Any:
+    from screwkit.terminal import Request  # noqa: PLC0415
+    from screwkit.worker import Job  # noqa: PLC0415
+
+    if at:
+        raise typer.BadParameter(
+            f"--at comes with posture results; {question} holds for every posture"
+        )
+    job = Job(
+        question=question,
+        case=case,
+        set_values=dict(_setting(text) for text in set_values or ()),
+        actuated=None if actuated is None else _names(actuated),
+        options=options or {},
+        memory=None if memory is None else int(memory * 2**30),
+    )
+    return Request(job, as_json, timeout, quiet, debug=_DEBUG in sys.argv)
+
+
+def _setting(text: str) -> tuple[str, str]:
+    name, sign, value = text.partition("=")
+    if not sign or not name.strip() or not value.strip():
+        raise typer.BadParameter(f"--set {text!r} is not NAME=VALUE")
+    return name.strip(), value.strip()
+
+
+def _names(text: str) -> tuple[str, ...]:
+    return tuple(name.strip() for name in text.split(",") if name.strip())
+
+
+def _answer(request: Any) -> NoReturn:
+    from screwkit.terminal import ask  # noqa: PLC0415
+
+    raise typer.Exit(ask(request))
+
+
+@app.command()
+def check(case: CaseName, as_json: AsJson = False, quiet: Quiet = False) -> None:
+    """Is the file right: all errors, or a one-line summary.
+
+    \b
+    Example:  screwkit check arm.yaml
+    """
+    from screwkit.catalogue import check_case  # noqa: PLC0415
+
+    raise typer.Exit(check_case(case, as_json=as_json, quiet=quiet))
+
+
+@app.command()
+def mobility(
+    case: CaseName,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Freedoms, counted every way, with why the counts differ.
+
+    \b
+    Example:  screwkit mobility bennett
+    """
+    _answer(
+        _request(
+            "mobility",
+            case,
+            set_values=set_values,
+            actuated=actuated,
+            at=at,
+            timeout=timeout,
+            memory=memory,
+            as_json=as_json,
+            quiet=quiet,
+        )
+    )
+
+
+@app.command()
+def screws(
+    case: CaseName,
+    order: Annotated[
+        Order, typer.Option(help="linear prints (v; ω) and (m; f).")
+    ] = Order.DIRECTION,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Twist and wrench systems of limbs and platform, actuation wrenches.
+
+    \b
+    Example:  screwkit screws nao_t14 --order linear
+    """
+    from dataclasses import replace  # noqa: PLC0415
+
+    request = _request(
+        "screws",
+        case,
+        set_values=set_values,
+        actuated=actuated,
+        at=at,
+        timeout=timeout,
+        memory=memory,
+        as_json=as_json,
+        quiet=quiet,
+    )
+    if order is Order.LINEAR:
+        from screwkit.reports.verdict import in_linear_order  # noqa: PLC0415
+
+        request = replace(request, change=in_linear_order)
+    _answer(request)
+
+
+@app.command()
+def singularities(
+    case: CaseName,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Limb, constraint and actuation singularities in closed form.
+
+    \b
+    Example:  screwkit singularities nao_t14 --actuated 1,2,3,7
+    """
+    _answer(
+        _request(
+            "singularities",
+            case,
+            set_values=set_values,
+            actuated=actuated,
+            at=at,
+            timeout=timeout,
+            memory=memory,
+            as_json=as_json,
+            quiet=quiet,
+        )
+    )
+
+
+@app.command()
+def schemes(
+    case: CaseName,
+    size: Annotated[
+        int | None, typer.Option(min=0, help="Actuated freedoms in a scheme.")
+    ] = None,
+    candidates: Annotated[
+        str | None, typer.Option(metavar="1,2,3", help="Freedoms to choose from.")
+    ] = None,
+    balanced: Annotated[
+        bool, typer.Option("--balanced", help="Same number from every limb.")
+    ] = False,
+    every: Annotated[bool, typer.Option("--all", help="Print every scheme.")] = False,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="Write .tex, .csv, .json or .txt."),
+    ] = None,
+    set_values: Setting = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Every choice of actuated joints, admissible or not and why, with its locus.
+
+    \b
+    Example:  screwkit schemes nao_t14 --size 5 --candidates 1,2,3,6,7,8 --all
+    """
+    from dataclasses import replace  # noqa: PLC0415
+
+    from screwkit.delivery import deliver_schemes, only_balanced, show_all  # noqa: PLC0415
+
+    options: dict[str, Any] = {}
+    if size is not None:
+        options["size"] = size
+    if candidates is not None:
+        options["candidates"] = list(_names(candidates))
+    request = _request(
+        "schemes",
+        case,
+        set_values=set_values,
+        actuated=None,
+        at=at,
+        timeout=timeout,
+        memory=memory,
+        as_json=as_json,
+        quiet=quiet,
+        options=options,
+    )
+    _answer(
+        replace(
+            request,
+            change=only_balanced if balanced else None,
+            show=show_all if every else None,
+            deliver=None if output is None else deliver_schemes(output),
+        )
+    )
+
+
+@app.command()
+def analyze(
+    case: CaseName,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """All of it, and the claims of the case beside what holds.
+
+    \b
+    Example:  screwkit analyze nao_t14 --json
+    """
+    _answer(
+        _request(
+            "analyze",
+            case,
+            set_values=set_values,
+            actuated=actuated,
+            at=at,
+            timeout=timeout,
+            memory=memory,
+            as_json=as_json,
+            quiet=quiet,
+        )
+    )
+
+
+@app.command()
+def report(
+    case: CaseName,
+    form: Annotated[
+        Format, typer.Option("--format", help="What to write.")
+    ] = Format.LATEX,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="File or folder.")
+    ] = None,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """An article with everything: LaTeX with fragments and JSON, PDF or HTML.
+
+    \b
+    Example:  screwkit report nao_t14 --format pdf -o report.pdf
+    """
+    from dataclasses import replace  # noqa: PLC0415
+
+    from screwkit.delivery import deliver_report  # noqa: PLC0415
+
+    request = _request(
+        "analyze",
+        case,
+        set_values=set_values,
+        actuated=actuated,
+        at=at,
+        timeout=timeout,
+        memory=memory,
+        as_json=as_json,
+        quiet=quiet,
+    )
+    _answer(replace(request, deliver=deliver_report(form.value, output)))
+
+
+@app.command()
+def cases(as_json: AsJson = False) -> None:
+    """The bundled cases."""
+    from screwkit.catalogue import list_cases  # noqa: PLC0415
+
+    raise typer.Exit(list_cases(as_json=as_json))
+
+
+@app.command()
+def schema(
+    which: Annotated[Which, typer.Argument(help="Whose schema.")] = Which.BOTH,
+    as_json: AsJson = True,
+) -> None:
+    """JSON Schemas of mechanism files and of results."""
+    from screwkit.catalogue import print_schema  # noqa: PLC0415
+
+    raise typer.Exit(print_schema(which.value))
+
+
+@app.command()
+def doctor(as_json: AsJson = False) -> None:
+    """What is installed, and what is missing for what."""
+    from screwkit.doctor import examine  # noqa: PLC0415
+
+    raise typer.Exit(examine(as_json=as_json))
+
+
+_DEBUG = "--debug"
+
+
+def main(arguments: list[str] | None = None) -> NoReturn:
+    """Run the command line and leave with its exit code."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    sys.exit(_run([word for word in words if word != _DEBUG], debug=_DEBUG in words))
+
+
+def _run(words: list[str], *, debug: bool) -> int:
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")
+    click = sys.modules[typer.BadParameter.__module__]
+    try:
+        code = app(words, prog_name="screwkit", standalone_mode=False)
+        return int(code or 0)
+    except click.ClickException as error:  # type: ignore[attr-defined, unused-ignore]
+        if type(error).__name__ == "NoArgsIsHelpError":
+            error.show()
+            return errors.EXIT_USAGE
+        return _failed(words, error.format_message(), "usage", errors.EXIT_USAGE)
+    except (KeyboardInterrupt, typer.Abort):
+        return _failed(words, "interrupted", "interrupted", errors.EXIT_INTERRUPTED)
+    except errors.MissingToolError as error:
+        return _failed(words, str(error), "tool", errors.EXIT_TOOL)
+    except (OSError, errors.ScrewkitError) as error:
+        if debug:
+            raise
+        return _failed(words, str(error), "usage", errors.EXIT_USAGE)
+    except Exception as error:
+        if debug:
+            raise
+        message = f"internal error: {type(error).__name__}: {error} (--debug)"
+        return _failed(words, message, "defect", errors.EXIT_NEGATIVE)
+
+
+def _failed(words: list[str], message: str, kind: str, code: int) -> int:
+    from screwkit.terminal import emit_json, note  # noqa: PLC0415
+
+    note(f"screwkit: {' '.join(message.split())}")
+    if "--json" in words:
+        emit_json("", {"error": {"kind": kind, "message": message}})
+    return code
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,100 @@
+"""Answers that go to files: reports and tables of schemes.
+
+Each function returns what the command line calls with the finished answer; it writes
+whole files only and says in a line what it wrote.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from screwkit.errors import ScrewkitError
+from screwkit.results.analysis import Analysis
+from screwkit.results.schemes import Schemes
+
+Delivery = Callable[[Any], list[str]]
+
+
+def only_balanced(answer: Schemes) -> Schemes:
+    """The same counts, listing only schemes with equal shares of every limb."""
+    return replace(answer, schemes=tuple(s for s in answer.schemes if s.balanced))
+
+
+def show_all(answer: Schemes) -> str:
+    """The text with every scheme."""
+    from screwkit.reports.about_schemes import schemes_blocks  # noqa: PLC0415
+    from screwkit.reports.text import render  # noqa: PLC0415
+
+    return render(schemes_blocks(answer, shown=None))
+
+
+def deliver_schemes(path: Path) -> Delivery:
+    """Write schemes by the ending of ``path``: .tex, .csv, .json, else text."""
+
+    def deliver(answer: Schemes) -> list[str]:
+        from screwkit.reports.output import write  # noqa: PLC0415
+        from screwkit.reports.records import to_json  # noqa: PLC0415
+
+        match path.suffix:
+            case ".json":
+                content = json.dumps(to_json(answer), indent=1) + "\n"
+            case ".csv":
+                content = _csv(answer)
+            case ".tex":
+                from screwkit.reports.article import schemes_table  # noqa: PLC0415
+                from screwkit.reports.latex import fragment  # noqa: PLC0415
+
+                content = fragment(schemes_table(answer, shown=None))
+            case _:
+                content = show_all(answer)
+        write(path, content)
+        return [f"wrote {path}"]
+
+    return deliver
+
+
+def _csv(answer: Schemes) -> str:
+    file = io.StringIO()
+    table = csv.writer(file, lineterminator="\n")
+    table.writerow(["actuated", "admissible", "generic_rank", "locus", "reason"])
+    for scheme in answer.schemes:
+        powers = scheme.multiplicities or (1,) * len(scheme.locus)
+        locus = " * ".join(
+            f"({factor})" + (f"^{power}" if power > 1 else "")
+            for factor, power in zip(scheme.locus, powers, strict=True)
+        )
+        table.writerow(
+            [
+                " ".join(scheme.actuated),
+                "yes" if scheme.admissible else "no",
+                scheme.generic_rank,
+                locus,
+                scheme.reason or "",
+            ]
+        )
+    return file.getvalue()
+
+
+def deliver_report(form: str, output: Path | None) -> Delivery:
+    """Write a report as ``latex``, ``pdf`` or ``html``."""
+
+    def deliver(answer: Analysis) -> list[str]:
+        from screwkit.reports.bundle import write_html, write_latex, write_pdf  # noqa: PLC0415
+
+        match form:
+            case "latex":
+                return write_latex(answer, output or Path("report.tex"))
+            case "pdf":
+                return write_pdf(answer, output or Path("report.pdf"))
+            case "html":
+                return write_html(answer, output or Path("report.html"))
+            case _:
+                raise ScrewkitError(f"unknown format {form!r}")
+
+    return deliver

@@ -1,0 +1,166 @@
+"""Sections that answer `mobility`: the freedoms first, then how each count sees them."""
+
+from __future__ import annotations
+
+from screwkit.reports.blocks import (
+    Block,
+    Column,
+    Condition,
+    Heading,
+    Listing,
+    Loose,
+    Paragraph,
+    Strong,
+    Table,
+    Text,
+    Words,
+    joined,
+    math,
+    words,
+)
+from screwkit.reports.phrases import counted, listed, signed
+from screwkit.results.mobility import (
+    Actuation,
+    FullCycle,
+    Mobility,
+    MotionCase,
+    Platform,
+    Topology,
+)
+
+
+def mobility_blocks(answer: Mobility) -> tuple[Block, ...]:
+    """The whole answer."""
+    blocks: list[Block] = [
+        *(Paragraph(text, 1) for text in freedoms(answer)),
+        counts_table(answer),
+    ]
+    if len(answer.platform.cases) > 1:
+        blocks += [
+            Heading(words("motion of the platform"), 2),
+            motion_listing(answer.platform),
+        ]
+    closing = [full_cycle(answer.full_cycle)]
+    if answer.actuation is not None:
+        closing.append(locked(answer.actuation))
+    blocks += [Paragraph(words(text), 1) for text in closing]
+    if answer.at_values is not None:
+        blocks += [
+            Paragraph(words(f"at the values of the file: {text}"), 1)
+            for text in answer.at_values.differences
+        ]
+    return tuple(blocks)
+
+
+def topology_line(topology: Topology) -> str:
+    """The graph in one line."""
+    parts = [
+        counted(topology.links, "body", "bodies"),
+        f"{counted(topology.joints, 'joint')} with "
+        f"{counted(topology.freedoms, 'freedom')}",
+        counted(topology.independent_loops, "loop"),
+    ]
+    if topology.components > 1:
+        parts.append(f"{topology.components} components")
+    return ", ".join(parts)
+
+
+def freedoms(answer: Mobility) -> tuple[Text, ...]:
+    """The answer in two sentences."""
+    platform = answer.platform
+    of_platform: Text = (Words("the platform has no freedom, in general"),)
+    if platform.twist_dimension:
+        of_platform = (
+            Words("the platform has "),
+            Strong(counted(platform.twist_dimension, "freedom")),
+            Words(": "),
+            Strong(platform.motion_type),
+            Words(", in general"),
+        )
+    of_mechanism: Text = (
+        Words("the mechanism has "),
+        Strong(counted(answer.instantaneous_mobility, "freedom")),
+        Words(f"; {idle(answer)}, {redundant(answer.redundant_constraints)}"),
+    )
+    return of_platform, of_mechanism
+
+
+def idle(answer: Mobility) -> str:
+    """How many freedoms leave the platform where it is."""
+    number = answer.partition.redundancy
+    return "none is idle" if not number else f"{number} leave the platform at rest"
+
+
+def redundant(number: int) -> str:
+    """How many constraints follow from others."""
+    if not number:
+        return "no constraint is redundant"
+    verb = "is" if number == 1 else "are"
+    return f"{counted(number, 'constraint')} {verb} redundant"
+
+
+def counts_table(answer: Mobility) -> Table:
+    """Every count with its working and what is to be said of it."""
+    remarks = any(working.remark for working in answer.workings)
+    columns = [Column(()), Column(()), Column((), "right")]
+    if remarks:
+        columns.append(Column((), "wrap"))
+    rows: list[tuple[Text, ...]] = []
+    for working in answer.workings:
+        row: list[Text] = [
+            words(working.name),
+            (Loose(working.formula),),
+            words(f"= {signed(working.value)}"),
+        ]
+        if remarks:
+            row.append(words(working.remark))
+        rows.append(tuple(row))
+    return Table(tuple(columns), tuple(rows))
+
+
+def motion_place(case: MotionCase) -> Text:
+    """Where a motion type holds."""
+    if not case.conditions and not case.solutions:
+        return words("in general")
+    if case.solutions:
+        return joined([math(text) for text in case.solutions])
+    return joined([math(f"{text} = 0") for text in case.conditions])
+
+
+def motion_listing(platform: Platform) -> Listing:
+    """The motion types with their conditions."""
+    return Listing(
+        tuple(
+            Condition("", motion_place(c), words(c.motion_type), words(c.reason))
+            for c in platform.cases
+        )
+    )
+
+
+def full_cycle(answer: FullCycle) -> str:
+    """Whether the freedoms are finite motions."""
+    because = f": {answer.reason}" if answer.reason else ""
+    if answer.status == "undecided":
+        return f"undecided whether the motion is finite{because}"
+    how = " (sampled)" if answer.status == "sampled" else ""
+    mobilities = answer.mobility
+    if mobilities == (0,):
+        return f"no finite motion: the structure is shaky or rigid{because}{how}"
+    if len(mobilities) > 1:
+        branches = ", ".join(map(str, mobilities))
+        return f"branches of mobility {branches} meet at this posture{because}{how}"
+    return f"the motion is finite{because}{how}"
+
+
+def locked(actuation: Actuation) -> str:
+    """What stays movable with the actuated joints locked."""
+    head = f"with {listed(actuation.actuated)} locked"
+    if not actuation.actuated:
+        head = "with no joint actuated"
+    if actuation.remaining_platform_freedom:
+        left = counted(actuation.remaining_platform_freedom, "freedom")
+        return f"{head}, the platform keeps {left}"
+    if actuation.remaining_mobility:
+        left = counted(actuation.remaining_mobility, "freedom")
+        return f"{head}, the platform is fixed and {left} stay idle"
+    return f"{head}, nothing moves"

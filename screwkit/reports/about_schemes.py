@@ -1,0 +1,131 @@
+"""Sections that answer `schemes`: how many, why not the others, the simplest first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from screwkit.reports.blocks import (
+    Block,
+    Column,
+    Heading,
+    Loci,
+    Paragraph,
+    Strong,
+    Table,
+    Text,
+    Words,
+    joined,
+    math,
+    words,
+)
+from screwkit.reports.notation import term_count
+from screwkit.reports.phrases import counted, listed
+from screwkit.results.schemes import Scheme, Schemes
+
+SHOWN = 12
+
+
+def schemes_blocks(answer: Schemes, *, shown: int | None = SHOWN) -> tuple[Block, ...]:
+    """The whole answer; ``shown`` caps the admissible schemes, None shows all."""
+    blocks: list[Block] = [Paragraph(summary(answer), 1)]
+    if answer.refusals:
+        blocks += [Heading(words("never admissible"), 1), refusals_table(answer)]
+    admissible = by_simplicity(answer)
+    if admissible:
+        listed_ones = admissible if shown is None else admissible[:shown]
+        blocks += [
+            Heading(words("admissible, simplest locus first"), 1),
+            loci_table(listed_ones),
+        ]
+        hidden = len(admissible) - len(listed_ones)
+        if hidden:
+            more = f"… {hidden} more (--all, --json, -o schemes.tex)"
+            blocks.append(Paragraph(words(more), 1))
+    notes = remarks(answer)
+    blocks += [Paragraph(text, 1) for text in notes]
+    return tuple(blocks)
+
+
+def summary(answer: Schemes) -> Text:
+    """The counts in one sentence."""
+    spans = [
+        Words(f"{answer.total} ways to actuate {counted(answer.size, 'freedom')}: "),
+        Strong(f"{answer.admissible} admissible"),
+    ]
+    if answer.balanced is not None and answer.balanced.total != answer.total:
+        spans.append(
+            Words(
+                f"; of the {answer.balanced.total} with the same number in every limb, "
+                f"{answer.balanced.admissible}"
+            )
+        )
+    return tuple(spans)
+
+
+def remarks(answer: Schemes) -> tuple[Text, ...]:
+    """Symmetry, lengths left out, and what is open."""
+    notes: list[Text] = []
+    if answer.mirror is not None:
+        classes, own = answer.mirror.admissible
+        notes.append(
+            words(
+                f"up to the mirror symmetry: {answer.mirror.total[0]} classes, "
+                f"{classes} admissible ({own} their own mirror image)"
+            )
+        )
+    if answer.left_out:
+        lengths = joined([math(text) for text in answer.left_out])
+        notes.append((Words("left out of the loci, never zero: "), *lengths))
+    if not answer.complete:
+        reason = answer.reason or "not every locus was expanded"
+        notes.append(words(f"undecided: the loci in full. {reason}"))
+    return tuple(notes)
+
+
+def refusals_table(answer: Schemes) -> Table:
+    """The reasons shared by inadmissible schemes."""
+    rows = tuple(
+        (
+            words(str(refusal.schemes)),
+            words(listed(refusal.example) if refusal.schemes == 1 else ""),
+            words(refusal.reason),
+        )
+        for refusal in answer.refusals
+    )
+    columns = (Column((), "right"), Column(()), Column((), "wrap"))
+    if not any(row[1] for row in rows):
+        return Table(
+            (columns[0], columns[2]),
+            tuple((number, reason) for number, _, reason in rows),
+        )
+    return Table(columns, rows)
+
+
+def complexity(scheme: Scheme) -> tuple[int, int]:
+    """Total number of terms and length of a locus: what is easy to read comes first."""
+    terms = sum(term_count(factor) for factor in scheme.locus)
+    return terms, sum(map(len, scheme.locus))
+
+
+def by_simplicity(answer: Schemes) -> tuple[Scheme, ...]:
+    """The admissible schemes, simplest locus first."""
+    admissible = [scheme for scheme in answer.schemes if scheme.admissible]
+    return tuple(sorted(admissible, key=complexity))
+
+
+def locus(scheme: Scheme) -> Text:
+    """A scheme's locus as a product of powers."""
+    if not scheme.locus:
+        return words("never singular")
+    powers = scheme.multiplicities or (1,) * len(scheme.locus)
+    factors = tuple(
+        (text, power, term_count(text))
+        for text, power in zip(scheme.locus, powers, strict=True)
+    )
+    return (Loci(factors),)
+
+
+def loci_table(schemes: Iterable[Scheme]) -> Table:
+    """Schemes beside their loci."""
+    rows = tuple((words(listed(one.actuated)), locus(one)) for one in schemes)
+    return Table((Column(()), Column((), "wrap")), rows)

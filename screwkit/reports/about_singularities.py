@@ -1,0 +1,157 @@
+"""Sections that answer `singularities`: every condition beside what happens on it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from screwkit.reports.blocks import (
+    Block,
+    Heading,
+    Listing,
+    Paragraph,
+    Text,
+    Words,
+    joined,
+    math,
+    words,
+)
+from screwkit.reports.conditions import (
+    Numbered,
+    Numbering,
+    condition,
+    matched,
+    numbered,
+    solution_text,
+)
+from screwkit.reports.phrases import listed
+from screwkit.results.singularities import (
+    ActuationSingularities,
+    Component,
+    ConstraintSingularities,
+    Intersection,
+    LimbSingularities,
+    Singularities,
+)
+
+
+def singularities_blocks(answer: Singularities) -> tuple[Block, ...]:
+    """The whole answer, limb, constraint and actuation."""
+    numbering = numbered(answer)
+    blocks: list[Block] = []
+    ranks = {limb.generic_rank for limb in answer.limb}
+    aside = f"rank {ranks.pop()} in general" if len(ranks) == 1 else ""
+    if answer.limb:
+        blocks.append(
+            Heading(words("LIMB   where a limb loses a freedom"), 1, words(aside))
+        )
+    for limb, entries in zip(answer.limb, numbering.limbs, strict=True):
+        blocks += limb_blocks(limb, entries, numbering, show_rank=not aside)
+    blocks += constraint_blocks(answer.constraint, numbering)
+    if answer.actuation is not None:
+        blocks += actuation_blocks(answer.actuation, numbering)
+    if answer.assumptions:
+        taken = joined([math(text) for text in answer.assumptions])
+        blocks.append(Paragraph((Words("assumed: "), *taken)))
+    return tuple(blocks)
+
+
+def limb_blocks(
+    limb: LimbSingularities,
+    entries: tuple[Numbered, ...],
+    numbering: Numbering,
+    *,
+    show_rank: bool,
+) -> list[Block]:
+    """One limb's conditions and where they meet."""
+    head = f"{limb.limb}: {listed(limb.joints)}"
+    aside = f"rank {limb.generic_rank} in general" if show_rank else ""
+    blocks: list[Block] = [Heading(words(head), 2, words(aside))]
+    items = [condition(entry, numbering.single) for entry in entries]
+    if items:
+        blocks.append(Listing(tuple(items)))
+    blocks += [
+        Paragraph(
+            (*meeting(one, entries), Words(f":  rank {one.rank}")),
+            2,
+        )
+        for one in limb.intersections
+    ]
+    blocks.append(Paragraph(words(verdict(limb, none=not items)), 2))
+    return blocks
+
+
+def meeting(one: Intersection, entries: Sequence[Numbered]) -> Text:
+    """Which numbered conditions meet, and what else must hold."""
+    together = joined([(entries[index].reference,) for index in one.components], " and ")
+    if not one.extra:
+        return together
+    extra = joined([math(f"{equation} = 0") for equation in one.extra])
+    return (*together, Words(" with "), *extra)
+
+
+def verdict(
+    part: LimbSingularities | ConstraintSingularities | ActuationSingularities,
+    *,
+    none: bool,
+) -> str:
+    """What was proved and what is open."""
+    if not part.complete:
+        known = "nothing found, but " if none else ""
+        return f"{known}undecided whether this is all: {part.reason or 'not proved'}"
+    proof = getattr(part, "proof", "")
+    found = "never" if none else "complete"
+    return f"{found}: {proof}" if proof else f"{found} (proved)"
+
+
+def constraint_blocks(
+    part: ConstraintSingularities, numbering: Numbering
+) -> list[Block]:
+    """Where the constraints of the limbs become dependent."""
+    blocks: list[Block] = [
+        Heading(
+            words("CONSTRAINT   where the constraints of the loops become dependent"),
+            1,
+            words(f"rank {part.generic_rank} in general"),
+        )
+    ]
+    items = [condition(entry, numbering.single) for entry in numbering.constraint]
+    if items:
+        blocks.append(Listing(tuple(items)))
+    blocks.append(Paragraph(words(verdict(part, none=not items)), 2))
+    return blocks
+
+
+def actuation_blocks(
+    part: ActuationSingularities, numbering: Numbering
+) -> list[Block]:
+    """Where the locked platform can move after all."""
+    locked = listed(part.actuated)
+    blocks: list[Block] = [
+        Heading(
+            words(f"ACTUATION   with {locked} locked, where the platform can move"),
+            1,
+            words(f"rank {part.generic_rank} in general"),
+        )
+    ]
+    if not part.admissible:
+        why = f": {part.witness}" if part.witness else ""
+        return [*blocks, Paragraph(words(f"not admissible, it always can{why}"), 2)]
+    items = [condition(entry, numbering.single) for entry in numbering.actuation]
+    if items:
+        blocks.append(Listing(tuple(items)))
+    blocks.append(Paragraph(words(verdict(part, none=not items)), 2))
+    if part.idle:
+        where = joined([idle_place(component) for component in part.idle], ";  ")
+        head = Words("idle only (the platform stays fixed): ")
+        blocks.append(Paragraph((head, *where), 2))
+    return blocks
+
+
+def idle_place(component: Component) -> Text:
+    """Where a component lies, without numbers."""
+    return joined(
+        [
+            math(solution_text(solution) if solution else f"{equation} = 0")
+            for equation, solution in matched(component)
+        ]
+    )

@@ -1,0 +1,211 @@
+"""What a report is made of: a closed union of frozen plain data.
+
+`sections` and `article` make blocks, `text`, `latex` and `page` render them with one
+`match` each.  A block knows neither the width of a terminal nor TeX; mathematics stays
+text of the expression grammar until a renderer writes it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """Plain text; renderers escape it."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Strong:
+    """Text that carries the answer."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Math:
+    """An expression, a relation or a list of them, as text of the grammar.
+
+    Attributes:
+        terms: Number of terms where it is known; 0 where it is not.
+    """
+
+    text: str
+    terms: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Loci:
+    """A product of powers of expressions: how a singular locus is written.
+
+    Attributes:
+        factors: (expression, multiplicity, number of terms or 0).
+    """
+
+    factors: tuple[tuple[str, int, int], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Loose:
+    """A working that mixes numbers, letters and words: ``10 − rank Jc = 10 − 6``."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """The number of a labelled block or condition.
+
+    Attributes:
+        number: What a renderer without cross-references prints.
+    """
+
+    label: str
+    number: str
+
+
+@dataclass(frozen=True, slots=True)
+class Citation:
+    """A pointer to an entry of `Bibliography`; ``place`` is an equation or table."""
+
+    key: str
+    place: str = ""
+
+
+Span: TypeAlias = Words | Strong | Math | Loci | Loose | Reference | Citation
+Text: TypeAlias = tuple[Span, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """A title; level 0 is the document's, 1 a section's, 2 a subsection's.
+
+    Attributes:
+        aside: Stands at the right margin of a terminal, in brackets elsewhere.
+    """
+
+    text: Text
+    level: int = 1
+    aside: Text = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Paragraph:
+    """Running text; ``indent`` counts steps of two columns in a terminal."""
+
+    text: Text
+    indent: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """A displayed and, with a label, numbered formula."""
+
+    body: Math | Loose
+    label: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Matrix:
+    """A matrix of expressions with what it is called."""
+
+    name: str
+    rows: tuple[tuple[str, ...], ...]
+    label: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """Head and alignment of a column; ``wrap`` columns share the width by weight."""
+
+    head: Text
+    align: Literal["left", "right", "centre", "wrap"] = "left"
+    weight: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Rows of cells.
+
+    Attributes:
+        anchors: Labels of the rows, where rows can be referred to; may be empty.
+        long: May run over pages.
+    """
+
+    columns: tuple[Column, ...]
+    rows: tuple[tuple[Text, ...], ...]
+    caption: Text = ()
+    label: str = ""
+    anchors: tuple[str, ...] = ()
+    long: bool = False
+    indent: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """One entry of a listing: where, what then, and why.
+
+    Attributes:
+        number: As referred to; empty for unnumbered remarks.
+        value: A short result, ``rank 4``.
+        details: Further lines, ``r3 cos q2 + d3 sin q2 = 0``.
+    """
+
+    number: str
+    where: Text
+    value: Text = ()
+    meaning: Text = ()
+    details: tuple[Text, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """Conditions below each other, their columns aligned."""
+
+    items: tuple[Condition, ...]
+    indent: int = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A reference: key and text."""
+
+    key: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Bibliography:
+    """The references of a document."""
+
+    entries: tuple[Entry, ...]
+
+
+Block: TypeAlias = (
+    Heading | Paragraph | Formula | Matrix | Table | Listing | Bibliography
+)
+
+
+def words(text: str) -> Text:
+    """Plain text as a `Text`; nothing for the empty string."""
+    return (Words(text),) if text else ()
+
+
+def math(text: str, terms: int = 0) -> Text:
+    """An expression or relation as a `Text`; nothing for the empty string."""
+    return (Math(text, terms),) if text else ()
+
+
+def joined(parts: tuple[Text, ...] | list[Text], separator: str = ", ") -> Text:
+    """Texts after each other with plain text between them."""
+    spans: list[Span] = []
+    for part in parts:
+        if not part:
+            continue
+        if spans:
+            spans.append(Words(separator))
+        spans.extend(part)
+    return tuple(spans)

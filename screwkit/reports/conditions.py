@@ -1,0 +1,205 @@
+"""Singular conditions numbered through, each written as shortly as it can be.
+
+An equation that can be solved is shown solved; one that is a whole numbered condition
+already is shown by its number.  Terminal and article number alike.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from screwkit.reports.blocks import (
+    Condition,
+    Math,
+    Reference,
+    Text,
+    Words,
+    joined,
+    math,
+    words,
+)
+from screwkit.reports.phrases import counted
+from screwkit.results.singularities import Component, Singularities, Solution
+
+_LETTERS = re.compile(r"[A-Za-z_]\w*")
+_SHORT: Final = 36
+
+
+@dataclass(frozen=True, slots=True)
+class Numbered:
+    """A component with its number in the whole answer, from 1."""
+
+    number: int
+    component: Component
+
+    @property
+    def label(self) -> str:
+        """What cross-references point to."""
+        return f"condition:{self.number}"
+
+    @property
+    def reference(self) -> Reference:
+        """A pointer to this condition."""
+        return Reference(self.label, str(self.number))
+
+
+@dataclass(frozen=True)
+class Numbering:
+    """All numbered conditions, grouped as the answer is.
+
+    Attributes:
+        single: The conditions that consist of one equation, by that equation.
+    """
+
+    limbs: tuple[tuple[Numbered, ...], ...]
+    constraint: tuple[Numbered, ...]
+    actuation: tuple[Numbered, ...]
+    single: Mapping[str, Numbered]
+
+
+def numbered(answer: Singularities) -> Numbering:
+    """Number the components: limbs, then constraint, then actuation."""
+    start = 1
+    single: dict[str, Numbered] = {}
+
+    def take(components: Sequence[Component]) -> tuple[Numbered, ...]:
+        nonlocal start
+        taken = tuple(Numbered(start + i, c) for i, c in enumerate(components))
+        start += len(taken)
+        for entry in taken:
+            if len(entry.component.equations) == 1:
+                single.setdefault(entry.component.equations[0], entry)
+        return taken
+
+    limbs = tuple(take(limb.components) for limb in answer.limb)
+    constraint = take(answer.constraint.components)
+    actuation = take(answer.actuation.components if answer.actuation else ())
+    return Numbering(limbs, constraint, actuation, single)
+
+
+def solution_text(solution: Solution) -> str:
+    """A solution as relations of the grammar, as short as the branches allow.
+
+    >>> solution_text(Solution("q4", ("0", "pi"), "pi"))
+    'q4 = 0, pi'
+    >>> solution_text(Solution("q3", ("pi/2", "-pi/2"), "pi"))
+    'q3 = ±pi/2'
+    >>> solution_text(Solution("q2", ("atan(-r3/d3)", "atan(-r3/d3) + pi"), "pi"))
+    'q2 = atan(-r3/d3) (mod pi)'
+    """
+    values = solution.values
+    if len(values) == 2 and values[0] == f"-{values[1]}":
+        values = (values[1], values[0])
+    if len(values) == 2 and values[1] == f"-{values[0]}":
+        values = (f"±{values[0]}",)
+    if solution.modulo == "pi" and not is_numeric(solution):
+        return f"{solution.variable} = {values[0]} (mod pi)"
+    text = f"{solution.variable} = {', '.join(values)}"
+    if solution.modulo and not is_numeric(solution):
+        text += f" (mod {solution.modulo})"
+    return text
+
+
+def is_numeric(solution: Solution) -> bool:
+    """Whether all values are multiples of π and numbers."""
+    return all(
+        word == "pi" for value in solution.values for word in _LETTERS.findall(value)
+    )
+
+
+def matched(component: Component) -> tuple[tuple[str, Solution | None], ...]:
+    """Each equation with the solution that solves it, where there is one."""
+    free = list(component.solutions)
+    if len(free) == len(component.equations) and all(
+        s.variable in _LETTERS.findall(e)
+        for e, s in zip(component.equations, free, strict=True)
+    ):
+        return tuple(zip(component.equations, free, strict=True))
+    pairs: dict[str, Solution | None] = dict.fromkeys(component.equations)
+    for equation in sorted(
+        component.equations, key=lambda e: len(set(_LETTERS.findall(e)))
+    ):
+        for solution in free:
+            if solution.variable in _LETTERS.findall(equation):
+                pairs[equation] = solution
+                free.remove(solution)
+                break
+    return tuple((equation, pairs[equation]) for equation in component.equations)
+
+
+def place(entry: Numbered, single: Mapping[str, Numbered]) -> tuple[Text, bool]:
+    """Where a condition holds, and whether its sentence of geometry was used up."""
+    component = entry.component
+    pairs = matched(component)
+    if len(pairs) == 1:
+        equation, solution = pairs[0]
+        if solution is not None:
+            return math(solution_text(solution)), False
+        if component.geometry and len(equation) > _SHORT:
+            return words(component.geometry), True
+        return math(f"{equation} = 0"), False
+    parts: list[Text] = []
+    for equation, solution in pairs:
+        known = single.get(equation)
+        if known is not None and not (solution and is_numeric(solution)):
+            parts.append((known.reference,))
+        elif solution is not None:
+            parts.append(math(solution_text(solution)))
+        else:
+            parts.append(math(f"{equation} = 0"))
+    references = all(isinstance(part[0], Reference) for part in parts)
+    return joined(parts, " and " if references else ", "), False
+
+
+def consequence(component: Component) -> str:
+    """What the platform and the mechanism can do there."""
+    parts = []
+    if component.platform_freedom is not None:
+        parts.append(f"platform {counted(component.platform_freedom, 'freedom')}")
+    if component.mobility is not None:
+        parts.append(f"mobility {component.mobility}")
+    return ", ".join(parts)
+
+
+def condition(entry: Numbered, single: Mapping[str, Numbered]) -> Condition:
+    """A numbered entry of a listing."""
+    component = entry.component
+    where, used = place(entry, single)
+    sentences = [consequence(component)]
+    earlier = (
+        single.get(component.equations[0]) if len(component.equations) == 1 else None
+    )
+    meaning: Text = ()
+    if component.geometry and not used:
+        sentences.append(component.geometry)
+    elif earlier is not None and earlier.number != entry.number:
+        meaning = (Words("see "), earlier.reference)
+    text = words("; ".join(sentence for sentence in sentences if sentence))
+    return Condition(
+        number=str(entry.number),
+        where=where,
+        value=words(f"rank {component.rank}"),
+        meaning=joined([text, meaning], "; "),
+        details=equations(entry, where, earlier),
+    )
+
+
+def equations(
+    entry: Numbered, where: Text, earlier: Numbered | None = None
+) -> tuple[Text, ...]:
+    """The equations behind a solved condition, unless they are plain to see."""
+    component = entry.component
+    if earlier is not None and earlier.number != entry.number:
+        return ()
+    if len(component.equations) != 1:
+        return ()
+    equation, solution = matched(component)[0]
+    if solution is not None and (
+        is_numeric(solution) or solution.variable == equation.strip()
+    ):
+        return ()
+    written = Math(f"{equation} = 0")
+    return () if where == (written,) else ((written,),)

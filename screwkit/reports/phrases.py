@@ -1,0 +1,38 @@
+"""Small turns of phrase that several sections share: counts, lists, freedoms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from screwkit.reports.blocks import Math, Span, Text, Words
+
+
+def counted(number: int, noun: str, plural: str = "") -> str:
+    """A number with its noun.
+
+    >>> counted(1, "loop"), counted(3, "loop"), counted(0, "freedom")
+    ('1 loop', '3 loops', 'no freedom')
+    """
+    if number == 0:
+        return f"no {noun}"
+    return f"{number} {noun if number == 1 else plural or noun + 's'}"
+
+
+def signed(number: int | None) -> str:
+    """An integer with a true minus sign; a dash for None."""
+    return "–" if number is None else str(number).replace("-", "−")
+
+
+def listed(names: Iterable[str]) -> str:
+    """Names of freedoms as they are typed: ``1 2 3 7``."""
+    return " ".join(names)
+
+
+def tuple_of(coordinates: tuple[str, ...], split: int = 0) -> Text:
+    """Coordinates in brackets, a semicolon after the first ``split`` of them."""
+    spans: list[Span] = [Words("(")]
+    for index, coordinate in enumerate(coordinates):
+        if index:
+            spans.append(Words("; " if index == split else ", "))
+        spans.append(Math(coordinate))
+    return (*spans, Words(")"))

@@ -1,0 +1,204 @@
+"""`blocks(result)`: one registered function per type of answer.
+
+These are the answers as a terminal or a notebook shows them; `article` makes the
+longer form that one submits from the same parts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import singledispatch
+from typing import Any
+
+from screwkit.reports.about_mobility import freedoms, mobility_blocks, topology_line
+from screwkit.reports.about_schemes import schemes_blocks
+from screwkit.reports.about_screws import screws_blocks
+from screwkit.reports.about_singularities import singularities_blocks
+from screwkit.reports.blocks import (
+    Block,
+    Column,
+    Heading,
+    Paragraph,
+    Strong,
+    Table,
+    Text,
+    Words,
+    words,
+)
+from screwkit.results.analysis import Analysis, ClaimCheck, Description, Undecided
+from screwkit.results.mobility import Mobility
+from screwkit.results.schemes import Schemes
+from screwkit.results.screws import Screws
+from screwkit.results.singularities import Singularities
+
+
+@dataclass(frozen=True)
+class CaseEntry:
+    """A bundled case, as `cases` lists it."""
+
+    name: str
+    title: str
+    source: str
+    joints: int
+    loops: int
+
+
+@dataclass(frozen=True)
+class CaseList:
+    """The bundled cases."""
+
+    cases: tuple[CaseEntry, ...]
+
+
+@singledispatch
+def blocks(result: Any) -> tuple[Block, ...]:
+    """The answer as blocks, without its head line.
+
+    Raises:
+        TypeError: If the type has no section.
+    """
+    raise TypeError(f"no section for {type(result).__name__}")
+
+
+def answer_blocks(result: Any) -> tuple[Block, ...]:
+    """The answer with a head line that names the case."""
+    case, title = getattr(result, "case", ""), getattr(result, "title", "")
+    if not case:
+        return blocks(result)
+    head: list[Block] = [Heading(words(title or case), 0, words(case if title else ""))]
+    topology = getattr(result, "topology", None)
+    if topology is not None:
+        head.append(Paragraph(words(topology_line(topology))))
+    return (*head, *blocks(result))
+
+
+@blocks.register
+def _(result: Mobility) -> tuple[Block, ...]:
+    return mobility_blocks(result)
+
+
+@blocks.register
+def _(result: Screws) -> tuple[Block, ...]:
+    return screws_blocks(result)
+
+
+@blocks.register
+def _(result: Singularities) -> tuple[Block, ...]:
+    return singularities_blocks(result)
+
+
+@blocks.register
+def _(result: Schemes) -> tuple[Block, ...]:
+    return schemes_blocks(result)
+
+
+@blocks.register
+def _(result: Undecided) -> tuple[Block, ...]:
+    return (Paragraph((Strong("undecided"), Words(f": {result.reason}")), 1),)
+
+
+@blocks.register
+def _(result: Description) -> tuple[Block, ...]:
+    return (Heading(words(result.title or result.case), 0, words(result.case)),)
+
+
+@blocks.register
+def _(result: Analysis) -> tuple[Block, ...]:
+    parts: list[Block] = []
+    if isinstance(result.mobility, Mobility):
+        parts.append(Paragraph(words(topology_line(result.mobility.topology))))
+    for name, part in (
+        ("MOBILITY", result.mobility),
+        ("SCREWS", result.screws),
+        ("SINGULARITIES", result.singularities),
+        ("ACTUATION SCHEMES", result.schemes),
+    ):
+        parts.append(Heading(words(name), 1))
+        parts += blocks(part)
+    if result.claims:
+        parts += [
+            Heading(words("CLAIMS"), 1, words(claims_line(result.claims))),
+            claims_table(result.claims),
+        ]
+    return tuple(parts)
+
+
+@blocks.register
+def _(result: CaseList) -> tuple[Block, ...]:
+    columns = (
+        Column(words("case")),
+        Column(words("joints"), "right"),
+        Column(words("loops"), "right"),
+        Column(words("title"), "wrap", 3),
+        Column(words("source"), "wrap", 2),
+    )
+    rows = tuple(
+        (
+            words(one.name),
+            words(str(one.joints)),
+            words(str(one.loops)),
+            words(one.title),
+            words(one.source),
+        )
+        for one in result.cases
+    )
+    return (Table(columns, rows, indent=0),)
+
+
+def claims_line(claims: Sequence[ClaimCheck]) -> str:
+    """How many claims were confirmed."""
+    agreeing = sum(claim.agrees is True for claim in claims)
+    return f"{agreeing} of {len(claims)} confirmed"
+
+
+def claims_table(claims: Sequence[ClaimCheck]) -> Table:
+    """What the sources say beside what holds."""
+    columns = (
+        Column(words("claim"), "wrap", 2),
+        Column(words("stated"), "wrap"),
+        Column(words("found"), "wrap"),
+        Column(words(""), "wrap", 2),
+    )
+    rows = tuple(
+        (
+            words(claim.question),
+            plain_value(claim.claimed),
+            plain_value(claim.computed) or words("undecided"),
+            words(claim_remark(claim)),
+        )
+        for claim in claims
+    )
+    return Table(columns, rows)
+
+
+def plain_value(value: Any) -> Text:
+    """A claimed value on one line."""
+    if value is None:
+        return ()
+    if isinstance(value, bool):
+        return words("yes" if value else "no")
+    if isinstance(value, list | tuple):
+        return words(", ".join(str(item) for item in value) or "none")
+    return words(str(value).replace("-", "−") if isinstance(value, int) else str(value))
+
+
+def claim_remark(claim: ClaimCheck) -> str:
+    """Whether the claim holds, and what does instead."""
+    state = {True: "agrees", False: "differs", None: "not compared"}[claim.agrees]
+    if claim.agrees is False and not claim.holds:
+        state = "differs, as noted"
+    note = claim.note or f"{claim.status}: {claim.source}"
+    return f"{state}; {note}" if note else state
+
+
+__all__ = [
+    "CaseEntry",
+    "CaseList",
+    "answer_blocks",
+    "blocks",
+    "claims_line",
+    "claims_table",
+    "freedoms",
+    "plain_value",
+]
