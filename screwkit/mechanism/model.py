@@ -116,6 +116,7 @@ class Claim:
         status: ``published``, ``derived`` or ``regression``.
         source: Where the value comes from, or the argument for it.
         holds: False for a printed value that does not hold; ``note`` says what does.
+        tolerance: Relative, for numbers; 0 where the value is exact.
     """
 
     question: str
@@ -124,11 +125,35 @@ class Claim:
     source: str
     holds: bool = True
     note: str = ""
+    tolerance: float = 0.0
+
+
+@dataclass(frozen=True)
+class Pose:
+    """The platform's frame in that of the base, in a ``posture`` file.
+
+    Attributes:
+        translation: The platform's origin.
+        rotation: Rows of the matrix that takes platform to base coordinates.
+    """
+
+    translation: VectorExpression
+    rotation: tuple[VectorExpression, VectorExpression, VectorExpression]
 
 
 @dataclass(frozen=True)
 class Mechanism:
-    """Everything that a mechanism file declares, resolved and checked."""
+    """Everything that a mechanism file declares, resolved and checked.
+
+    Attributes:
+        parameters: Declared under ``parameters``, then under ``variables``.
+        limb_names: The joints of each named limb, as the file lists them.
+        points: Named points in base coordinates, the pose already applied.
+        vectors: Named vectors in base coordinates, the pose already applied.
+        weights: Full matrices by key (``twist``, ``rates`` …), as rows.
+        scheme_order: The actuated freedoms in the order in which the file lists them;
+            the order of the weights.
+    """
 
     name: str
     title: str
@@ -144,6 +169,13 @@ class Mechanism:
     limb_names: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     claims: tuple[Claim, ...] = ()
     reference_point: VectorExpression | None = None
+    points: Mapping[str, VectorExpression] = field(default_factory=dict)
+    vectors: Mapping[str, VectorExpression] = field(default_factory=dict)
+    pose: Pose | None = None
+    weights: Mapping[str, tuple[tuple[Expression, ...], ...]] = field(
+        default_factory=dict
+    )
+    scheme_order: tuple[str, ...] = ()
 
     def joint(self, name: str) -> Joint:
         """The joint of that name.

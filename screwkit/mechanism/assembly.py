@@ -1,0 +1,269 @@
+"""From the models of a file to the mechanism, with every fault of meaning.
+
+Names are resolved, texts become expressions, and what contradicts itself is reported;
+reading goes on after a fault so that one run finds them all.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from screwkit.algebra.closed_values import closed_value
+from screwkit.algebra.expression import ONE, ZERO, Expression
+from screwkit.algebra.names import did_you_mean, shown
+from screwkit.algebra.vector_expression import VectorExpression
+from screwkit.mechanism.actuation import read_actuation, read_weights
+from screwkit.mechanism.geometry_checks import (
+    check_antecedents,
+    check_joint,
+    check_kind,
+)
+from screwkit.mechanism.limb_names import check_limb_names
+from screwkit.mechanism.model import (
+    Claim,
+    Joint,
+    JointType,
+    MdhRow,
+    Mechanism,
+)
+from screwkit.mechanism.nodes import (
+    Faults,
+    Mapping,
+    Node,
+    Path,
+    Scalar,
+    Sequence,
+    find,
+)
+from screwkit.mechanism.places import read_places, read_pose
+from screwkit.mechanism.reading import Reading
+from screwkit.mechanism.schema import MdhEntry, MechanismEntry
+from screwkit.mechanism.structure import Draft
+from screwkit.mechanism.symbols import (
+    default_variables,
+    read_parameters,
+    read_variables,
+)
+
+
+def assembled(draft: Draft, faults: Faults) -> Mechanism:
+    """The mechanism; of use only where ``faults`` stays empty."""
+    entry = draft.entry
+    reading = Reading(
+        draft.root,
+        faults,
+        lost=draft.lost_names | _variables_of_lost(draft),
+        planar=entry.space == "planar",
+    )
+    check_links(draft, reading)
+    parameters = read_parameters(draft, reading)
+    names = frozenset(parameter.name for parameter in parameters)
+    variables = read_variables(draft, reading, names)
+    reading.names = names | {name for own in variables for name in own}
+    pose = read_pose(draft, reading)
+    points, vectors = read_places(draft, reading, pose)
+    joints = tuple(
+        _joint(draft, number, own, reading) for number, own in enumerate(variables)
+    )
+    for joint, position in zip(joints, draft.positions, strict=True):
+        path: Path = ("joints", position)
+        if check_kind(joint.type, path, draft, reading):
+            check_joint(joint, path, draft, reading)
+    check_antecedents(joints, draft.positions, draft, reading)
+    joints, order = read_actuation(joints, draft, reading)
+    mechanism = Mechanism(
+        name=entry.name,
+        title=entry.title,
+        base=entry.base,
+        platform=entry.platform,
+        links=entry.links,
+        joints=joints,
+        geometry=entry.geometry,
+        space=entry.space,
+        source=entry.source,
+        units=entry.units,
+        parameters=parameters,
+        limb_names=dict(entry.limbs),
+        claims=_claims(entry, reading),
+        reference_point=_reference_point(entry, reading),
+        points=points,
+        vectors=vectors,
+        pose=pose,
+        weights=read_weights(draft, order, reading),
+        scheme_order=order,
+    )
+    check_limb_names(mechanism, draft, reading)
+    return mechanism
+
+
+def check_links(draft: Draft, reading: Reading) -> None:
+    """Links and joints are named once; joints, base and platform name links."""
+    entry = draft.entry
+    links_known = "links" not in draft.broken
+    for position, link in enumerate(entry.links):
+        if link in entry.links[:position]:
+            reading.fault(("links", position), f"the link {shown(link)} stands twice")
+    for key, link in (("base", entry.base), ("platform", entry.platform)):
+        if links_known and key not in draft.broken and link not in entry.links:
+            near = did_you_mean(link, entry.links)
+            reading.fault((key,), f"unknown link {shown(link)}{near}")
+    # A lone body is base and platform in one; anywhere else this is a slip.
+    same = entry.base == entry.platform and not draft.broken & {"base", "platform"}
+    if same and len(entry.links) > 1:
+        reading.fault(("platform",), "base and platform are the same link")
+    first: dict[str, int] = {}
+    for joint, position in zip(entry.joints, draft.positions, strict=True):
+        path: Path = ("joints", position)
+        if joint.name in first:
+            line = reading.place(("joints", first[joint.name])).line
+            reading.fault(
+                (*path, "name"), f"a joint of this name stands in line {line} already"
+            )
+        first.setdefault(joint.name, position)
+        for key, link in (("parent", joint.parent), ("child", joint.child)):
+            if links_known and link not in entry.links:
+                near = did_you_mean(link, entry.links)
+                reading.fault((*path, key), f"unknown link {shown(link)}{near}")
+        if joint.parent == joint.child:
+            reading.fault(
+                (*path, "child"),
+                f"the joint connects {shown(joint.parent)} to itself",
+            )
+
+
+def _variables_of_lost(draft: Draft) -> frozenset[str]:
+    """What joints at fault would have declared; so that their use is no fault."""
+    found: set[str] = set()
+    for raw in draft.lost_joints:
+        if not isinstance(raw, dict):
+            continue
+        declared = raw.get("variable")
+        found |= {declared} if isinstance(declared, str) else set()
+        if isinstance(name := raw.get("name"), str):
+            found |= {*default_variables(name, 0, 1), *default_variables(name, 0, 3)}
+    return frozenset(found)
+
+
+def _joint(
+    draft: Draft, number: int, variables: tuple[str, ...], reading: Reading
+) -> Joint:
+    entry: Any = draft.entry.joints[number]
+    path: Path = ("joints", draft.positions[number])
+    joint_type = JointType(entry.type)
+
+    def vector(key: str) -> VectorExpression | None:
+        written = getattr(entry, key, None)
+        return None if written is None else reading.vector((*path, key), written)
+
+    axes: tuple[VectorExpression, ...] = ()
+    if getattr(entry, "axes", None) is not None:
+        read = [reading.vector((*path, "axes", i), a) for i, a in enumerate(entry.axes)]
+        axes = tuple(axis for axis in read if axis is not None)
+    elif axis := vector("axis"):
+        axes = (axis,)
+    normal = vector("normal")
+    if draft.entry.space == "planar":
+        along_z: VectorExpression = (ZERO, ZERO, ONE)
+        if joint_type is JointType.REVOLUTE and getattr(entry, "axis", None) is None:
+            axes = (along_z,)
+        if joint_type is JointType.PLANAR and getattr(entry, "normal", None) is None:
+            normal = along_z
+    pitch = getattr(entry, "pitch", None)
+    return Joint(
+        name=entry.name,
+        type=joint_type,
+        parent=entry.parent,
+        child=entry.child,
+        variables=variables,
+        offsets=_offsets(entry, path, len(variables), reading),
+        mdh=_row(getattr(entry, "mdh", None), (*path, "mdh"), reading),
+        axes=axes,
+        point=vector("point"),
+        normal=normal,
+        line=vector("line"),
+        pitch=None if pitch is None else reading.scalar((*path, "pitch"), pitch),
+    )
+
+
+def _offsets(
+    entry: Any, path: Path, count: int, reading: Reading
+) -> tuple[Expression, ...]:
+    written: tuple[str, ...] = entry.offset or ()
+    inner: Path = (*path, "offset")
+    if written and len(written) != count:
+        reading.fault(inner, f"{len(written)} offsets for {count} freedoms")
+        return (ZERO,) * count
+    is_list = not isinstance(find(reading.root, inner), Scalar)
+    read = [
+        reading.scalar((*inner, i) if is_list else inner, text)
+        for i, text in enumerate(written)
+    ]
+    return tuple(e if e is not None else ZERO for e in read) or (ZERO,) * count
+
+
+def _row(entry: MdhEntry | None, path: Path, reading: Reading) -> MdhRow | None:
+    if entry is None:
+        return None
+    read = {
+        key: reading.scalar((*path, key), getattr(entry, key))
+        for key in ("gamma", "b", "alpha", "d", "theta", "r")
+    }
+    return MdhRow(**{key: e if e is not None else ZERO for key, e in read.items()})
+
+
+def _reference_point(
+    entry: MechanismEntry, reading: Reading
+) -> VectorExpression | None:
+    if entry.reference_point is None:
+        return None
+    return reading.vector(("reference_point",), entry.reference_point)
+
+
+def _claims(entry: MechanismEntry, reading: Reading) -> tuple[Claim, ...]:
+    found = []
+    for question, claim in entry.expected.items():
+        path: Path = ("expected", question)
+        tolerance = 0.0
+        if claim.tolerance is not None:
+            expression = reading.scalar((*path, "tolerance"), claim.tolerance, ())
+            value = closed_value(expression) if expression is not None else None
+            tolerance = value or 0.0
+            if expression is not None and (value is None or value < 0):
+                reading.fault((*path, "tolerance"), "a tolerance is a number from 0")
+        node = find(reading.root, (*path, "value"))
+        found.append(
+            Claim(
+                question,
+                claim_value(node) if node is not None else None,
+                claim.status,
+                claim.source,
+                claim.holds,
+                claim.note,
+                tolerance,
+            )
+        )
+    return tuple(found)
+
+
+def claim_value(node: Node) -> Any:
+    """The value of a claim: unquoted numbers and truths are such, the rest is text."""
+    match node:
+        case Scalar(text, quoted=quoted):
+            return text if quoted else _literal(text)
+        case Sequence(items):
+            return [claim_value(item) for item in items]
+        case Mapping(entries):
+            return {entry.key: claim_value(entry.value) for entry in entries}
+
+
+def _literal(text: str) -> Any:
+    if text in {"true", "false"}:
+        return text == "true"
+    for convert in (int, float):
+        try:
+            number = convert(text)
+        except ValueError:
+            continue
+        plain_digits = text.lstrip("+-").replace(".", "", 1)[:1].isdigit()
+        return number if plain_digits and "_" not in text else text
+    return text

@@ -1,0 +1,226 @@
+"""Whether every joint is placed: axes present, not zero, not parallel; rows complete.
+
+What can be decided from constants is decided; an axis with symbols in it is taken as
+it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Final
+
+from screwkit.algebra.closed_values import closed_value
+from screwkit.algebra.names import shown
+from screwkit.algebra.vector_expression import VectorExpression, cross, dot
+from screwkit.mechanism.joints import (
+    CATALOGUE,
+    MDH_TYPES,
+    RIGID,
+    freedoms_of_type,
+    is_actuable,
+)
+from screwkit.mechanism.model import Joint, JointType
+from screwkit.mechanism.nodes import Path, find
+from screwkit.mechanism.reading import Reading
+from screwkit.mechanism.schema import MechanismEntry
+from screwkit.mechanism.structure import Draft
+
+_NEEDED: Final[dict[JointType, tuple[str, ...]]] = {
+    JointType.REVOLUTE: ("axis", "point"),
+    JointType.PRISMATIC: ("axis",),
+    JointType.HELICAL: ("axis", "point", "pitch"),
+    JointType.CYLINDRICAL: ("axis", "point"),
+    JointType.UNIVERSAL: ("axes", "point"),
+    JointType.SPHERICAL: ("point",),
+    JointType.PLANAR: ("normal",),
+    JointType.FIXED: (),
+    JointType.COMPLETE: (),
+    JointType.POINT: ("point", "normal"),
+    JointType.HARD_FINGER: ("point",),
+    JointType.SOFT_FINGER: ("point", "normal"),
+    JointType.LINE: ("point", "normal", "line"),
+    JointType.LINE_FRICTION: ("point", "normal", "line"),
+    JointType.PLANE: ("point", "normal"),
+}
+"""What a joint must say in a `posture` or `reference` file."""
+_GIVEN_IN_PLANE: Final = {
+    JointType.REVOLUTE: ("axis",),
+    JointType.PLANAR: ("normal",),
+    JointType.LINE: ("line",),
+}
+"""What follows from the plane of a planar file: the axis is z."""
+_TINY: Final = 1e-12
+
+
+def check_kind(entry_type: str, path: Path, draft: Draft, reading: Reading) -> bool:
+    """Whether the joint may stand in this file at all."""
+    joint_type = JointType(entry_type)
+    words = CATALOGUE[joint_type].words
+    try:
+        freedoms_of_type(joint_type, draft.entry.space)
+    except ValueError as error:
+        reading.fault((*path, "type"), str(error))
+        return False
+    is_mdh = draft.entry.geometry == "mdh" and "geometry" not in draft.broken
+    if is_mdh and is_actuable(joint_type) and joint_type not in MDH_TYPES:
+        reading.fault(
+            (*path, "type"),
+            f"a {words} cannot stand in an mdh file: a row of the table places joints "
+            f"of one freedom only; write it as revolute and prismatic joints",
+        )
+        return False
+    return True
+
+
+def check_joint(joint: Joint, path: Path, draft: Draft, reading: Reading) -> None:
+    """Everything that can be said of one joint's geometry alone."""
+    if "geometry" in draft.broken:
+        return
+    if draft.entry.geometry == "mdh":
+        _check_row(joint, path, reading)
+        return
+    if find(reading.root, (*path, "mdh")) is not None:
+        reading.fault(
+            (*path, "mdh"),
+            f"an mdh row belongs to `geometry: mdh`; this file is "
+            f"{draft.entry.geometry!r}",
+        )
+    planar = draft.entry.space == "planar"
+    given = _GIVEN_IN_PLANE.get(joint.type, ()) if planar else ()
+    words = CATALOGUE[joint.type].words
+    for key in _NEEDED[joint.type]:
+        if key not in given and find(reading.root, (*path, key)) is None:
+            reading.fault(path, f"the key {key!r} is missing; a {words} needs it")
+    _check_directions(joint, path, reading)
+    if planar:
+        _check_plane(joint, path, reading)
+
+
+def _check_row(joint: Joint, path: Path, reading: Reading) -> None:
+    words = CATALOGUE[joint.type].words
+    if joint.type in MDH_TYPES:
+        if joint.mdh is None and find(reading.root, (*path, "mdh")) is None:
+            reading.fault(
+                path, f"the key 'mdh' is missing; a {words} of an mdh file needs a row"
+            )
+        for key in ("axis", "point"):
+            if find(reading.root, (*path, key)) is not None:
+                reading.fault(
+                    (*path, key),
+                    f"the mdh row places this joint; {key!r} belongs to "
+                    f"`geometry: posture` or `reference`",
+                )
+        if joint.type is JointType.HELICAL and joint.pitch is None:
+            reading.fault(path, f"the key 'pitch' is missing; a {words} needs it")
+    _check_directions(joint, path, reading)
+
+
+def _check_directions(joint: Joint, path: Path, reading: Reading) -> None:
+    named: list[tuple[str, VectorExpression | None]] = [
+        ("normal", joint.normal),
+        ("line", joint.line),
+    ]
+    if len(joint.axes) == 1:
+        named.append(("axis", joint.axes[0]))
+    for key, direction in named:
+        if direction is not None and _is_zero(direction):
+            reading.fault((*path, key), "the direction is zero; it must be a vector")
+    if len(joint.axes) == 2:
+        zero = [_is_zero(axis) for axis in joint.axes]
+        for number, is_zero in enumerate(zero):
+            if is_zero:
+                reading.fault(
+                    (*path, "axes", number),
+                    "the direction is zero; it must be a vector",
+                )
+        if not any(zero) and _is_zero(cross(*joint.axes)):
+            reading.fault(
+                (*path, "axes"), "the two axes of a universal joint are parallel"
+            )
+    if joint.normal is not None and joint.line is not None:
+        product = closed_value(dot(joint.normal, joint.line))
+        if product is not None and abs(product) > _TINY * 1e3:
+            reading.fault(
+                (*path, "line"), "the line of contact is not at right angles to normal"
+            )
+
+
+def _check_plane(joint: Joint, path: Path, reading: Reading) -> None:
+    """In a planar file rotations are about z, everything else lies in the plane."""
+    about_z = joint.type in {JointType.REVOLUTE, JointType.PLANAR}
+    directions = (
+        *(("axis", axis) for axis in joint.axes),
+        *((("normal", joint.normal),) if joint.normal is not None else ()),
+    )
+    for key, (x, y, z) in directions:
+        out = (x, y) if about_z else (z,)
+        values = [closed_value(part) for part in out]
+        if any(value is not None and abs(value) > _TINY for value in values):
+            where = "along z" if about_z else "in the xy plane"
+            reading.fault((*path, key), f"in a planar file this direction is {where}")
+
+
+def _is_zero(vector: VectorExpression) -> bool:
+    values = [closed_value(part) for part in vector]
+    return all(value is not None and abs(value) < _TINY for value in values)
+
+
+def check_antecedents(
+    joints: Sequence[Joint], positions: Sequence[int], draft: Draft, reading: Reading
+) -> None:
+    """In an mdh file every row hangs on a body that is placed, down to the base."""
+    entry = draft.entry
+    if entry.geometry != "mdh" or draft.broken & {"geometry", "joints", "base"}:
+        return
+    lost = {str(raw.get("child")) for raw in draft.lost_joints if isinstance(raw, dict)}
+    placed = _placed_bodies(joints, entry) | lost
+    children = {joint.child for joint in joints if _places(joint)}
+    for joint, position in zip(joints, positions, strict=True):
+        if joint.mdh is None or joint.parent in placed:
+            continue
+        if joint.parent not in entry.links or joint.parent == joint.child:
+            continue  # reported already
+        path: Path = ("joints", position, "mdh")
+        if joint.parent not in children:
+            reading.fault(
+                path,
+                f"the row hangs on {shown(joint.parent)}, a body that no joint "
+                f"places: the antecedent is the joint whose child is the parent",
+            )
+        elif _turns_in_circles(joint, joints):
+            reading.fault(
+                path,
+                f"the antecedents of this row run in a circle and never reach the "
+                f"base {shown(entry.base)}",
+            )
+
+
+def _places(joint: Joint) -> bool:
+    return joint.mdh is not None or joint.type in RIGID
+
+
+def _placed_bodies(joints: Iterable[Joint], entry: MechanismEntry) -> set[str]:
+    placed = {entry.base}
+    remaining = [joint for joint in joints if _places(joint)]
+    grew = True
+    while grew:
+        grew = False
+        for joint in list(remaining):
+            if joint.parent in placed:
+                placed.add(joint.child)
+                remaining.remove(joint)
+                grew = True
+    return placed
+
+
+def _turns_in_circles(joint: Joint, joints: Sequence[Joint]) -> bool:
+    """Whether following the antecedents comes back to a body seen before."""
+    seen = {joint.child}
+    here = joint.parent
+    while here not in seen:
+        seen.add(here)
+        before = next((j for j in joints if j.child == here and _places(j)), None)
+        if before is None:
+            return False
+        here = before.parent
+    return True

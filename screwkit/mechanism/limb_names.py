@@ -1,0 +1,52 @@
+"""Names of limbs: each must name the joints of one limb, rigid ones aside."""
+
+from __future__ import annotations
+
+from screwkit.algebra.names import did_you_mean, shown
+from screwkit.mechanism.graph import has_freedom, limbs
+from screwkit.mechanism.model import Mechanism
+from screwkit.mechanism.nodes import Path
+from screwkit.mechanism.reading import Reading
+from screwkit.mechanism.structure import Draft
+
+
+def check_limb_names(mechanism: Mechanism, draft: Draft, reading: Reading) -> None:
+    """Report unknown joints, and lists that are not the joints of one limb."""
+    by_name = {joint.name: joint for joint in mechanism.joints}
+    lost = {raw.get("name") for raw in draft.lost_joints if isinstance(raw, dict)}
+    sound = not draft.broken and not lost and not reading.faults.found
+    owners: dict[str, str] = {}
+    for limb_name, names in mechanism.limb_names.items():
+        for position, name in enumerate(names):
+            path: Path = ("limbs", limb_name, position)
+            if name not in by_name and name not in lost:
+                near = did_you_mean(name, by_name)
+                reading.fault(path, f"unknown joint {shown(name)}{near}")
+                sound = False
+            elif name in owners:
+                reading.fault(
+                    path,
+                    f"joint {shown(name)} belongs to limb {owners[name]!r} already",
+                )
+                sound = False
+            owners.setdefault(name, limb_name)
+        if not names:
+            reading.fault(("limbs", limb_name), "a limb has at least one joint")
+            sound = False
+    if not sound:
+        return  # the graph cannot be trusted
+    found = limbs(mechanism)
+    for limb_name, names in mechanism.limb_names.items():
+        path = ("limbs", limb_name)
+        home = [limb for limb in found if set(limb.joints) & set(names)]
+        if len(home) != 1 or not set(names) <= set(home[0].joints):
+            reading.fault(
+                path,
+                "these joints do not form one limb; a limb is a component of the "
+                "graph without base and platform, with its joints to both",
+            )
+            continue
+        moving = [n for n in home[0].joints if has_freedom(by_name[n])]
+        forgotten = [name for name in moving if name not in names]
+        if forgotten:
+            reading.fault(path, f"the limb has also the joint {forgotten[0]!r}")
