@@ -13,12 +13,19 @@ import random
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property, lru_cache
 from typing import Any
 
-from flint import fmpz, nmod_poly
+from flint import fmpz, nmod_mat, nmod_poly
 
 from screwkit.algebra.assumptions import Assumptions
-from screwkit.algebra.points import Point, random_angle, random_point, residue
+from screwkit.algebra.points import (
+    Point,
+    differential,
+    random_angle,
+    random_point,
+    residue,
+)
 from screwkit.algebra.survey import rational_root
 from screwkit.algebra.trigonometric import (
     Polynomial,
@@ -35,11 +42,14 @@ class Substitution:
         images: (index of a generator, its numerator).
         divisor: Common denominator of the images.
         relation: A further relation in one generator, (index, degree, polynomial).
+        sheet: A polynomial that vanishes on this sheet of the solution and not on the
+            other; None where there is one sheet only.
     """
 
     images: tuple[tuple[int, Polynomial], ...]
     divisor: Polynomial
     relation: tuple[int, int, Polynomial] | None = None
+    sheet: Polynomial | None = None
 
 
 @dataclass(frozen=True)
@@ -50,6 +60,8 @@ class Branch:
         conditions: The irreducible polynomials that vanish on it, in order.
         steps: How they were solved.
         pending: Conditions that could not be solved.
+        dimensions: Indices of the symbols that are dimensions of the mechanism, not
+            coordinates of its posture.
     """
 
     ring: TrigonometricRing
@@ -57,11 +69,45 @@ class Branch:
     conditions: tuple[Polynomial, ...] = ()
     steps: tuple[Substitution, ...] = ()
     pending: tuple[Polynomial, ...] = ()
+    dimensions: tuple[int, ...] = ()
 
     @property
     def codimension(self) -> int:
         """Each condition was irreducible and not zero on the branch before it."""
         return len(self.conditions)
+
+    @property
+    def sheets(self) -> tuple[Polynomial, ...]:
+        """What tells this branch from the other sheets of the same conditions."""
+        return tuple(step.sheet for step in self.steps if step.sheet is not None)
+
+    @property
+    def divisors(self) -> list[Polynomial]:
+        """What the steps divided by: nowhere zero on the branch."""
+        found: list[Polynomial] = []
+        for step in self.steps:
+            found = _substituted(self.ring, found, step) if found else []
+            if not step.divisor.is_constant():
+                found.append(step.divisor)
+        return found
+
+    @cached_property
+    def is_special(self) -> bool:
+        """Whether the conditions tie the dimensions of the mechanism to each other.
+
+        They do not exactly where they are independent in the posture alone: at an
+        exact point the differentials by the posture have full rank.
+        """
+        if not self.conditions or not self.points:
+            return False
+        point, prime = self.points[0]
+        rows = [
+            differential(self.ring, condition, point, prime, set(self.dimensions))
+            for condition in self.conditions
+        ]
+        entries = [value for row in rows for value in row]
+        rank = nmod_mat(len(rows), len(rows[0]), entries, prime).rank()
+        return int(rank) < len(self.conditions)
 
     def column(self, entries: Sequence[Polynomial]) -> list[Polynomial]:
         """A vector on this branch, up to a common factor that is nowhere zero."""
@@ -82,6 +128,13 @@ class Branch:
             if point is not None:
                 return point, prime
         return None
+
+    @cached_property
+    def points(self) -> tuple[tuple[Point, int], ...]:
+        """Two random exact points and their primes; none where none was found."""
+        source = random.Random(len(self.conditions) + 7)
+        found = [self.point(source) for _ in range(2)]
+        return tuple(p for p in found if p is not None) if all(found) else ()
 
     def _attempt(self, source: random.Random, prime: int) -> Point | None:
         point = random_point(self.ring, source, prime)
@@ -111,10 +164,19 @@ class Branch:
 
 
 def _prime(source: random.Random) -> int:
-    while True:
-        candidate = fmpz(source.randrange(2**60, 2**61) | 1)
+    return source.choice(_primes())
+
+
+@lru_cache(maxsize=1)
+def _primes() -> tuple[int, ...]:
+    """Primes of 61 bits to choose from; fixed, so that answers can be repeated."""
+    found: list[int] = []
+    candidate = fmpz(2**61 - 1)
+    while len(found) < 64:
         if candidate.is_prime():
-            return int(candidate)
+            found.append(int(candidate))
+        candidate -= 2
+    return tuple(found)
 
 
 def restricted(branch: Branch, condition: Polynomial) -> list[Branch]:
@@ -130,11 +192,7 @@ def restricted(branch: Branch, condition: Polynomial) -> list[Branch]:
     """
     ring = branch.ring
     conditions = (*branch.conditions, condition)
-    steps = (
-        _angle_steps(ring, condition)
-        or _constant_angle_steps(ring, condition)
-        or _symbol_steps(branch, condition)
-    )
+    steps = _steps(branch, condition)
     if steps is None:
         return [
             replace(
@@ -152,6 +210,23 @@ def restricted(branch: Branch, condition: Polynomial) -> list[Branch]:
         )
         for step in steps
     ]
+
+
+def is_solvable(branch: Branch, condition: Polynomial) -> bool:
+    """Whether `restricted` solves the condition instead of keeping it pending."""
+    return _steps(branch, condition) is not None
+
+
+def _steps(branch: Branch, condition: Polynomial) -> list[Substitution] | None:
+    ring = branch.ring
+    for attempt in (
+        _angle_steps(ring, condition),
+        _constant_angle_steps(ring, condition),
+        _symbol_steps(branch, condition),
+    ):
+        if attempt is not None:
+            return attempt
+    return None
 
 
 def _angle_steps(
@@ -179,10 +254,19 @@ def _angle_steps(
                     (ring.cosine_index(angle), ring.normal(p * scale * sign)),
                 ),
                 ring.one,
+                sheet=_sheet(ring, angle, p * scale * sign, -q * scale * sign),
             )
             for sign in (1, -1)
         ]
     return None
+
+
+def _sheet(
+    ring: TrigonometricRing, angle: int, cosine: Polynomial, sine: Polynomial
+) -> Polynomial:
+    """cos(φ − φ₀) − 1, which is 0 on the sheet φ = φ₀ and −2 on the other."""
+    along = ring.cosines[angle] * cosine + ring.sines[angle] * sine
+    return ring.normal(along - 1)
 
 
 def _constant_angle_steps(

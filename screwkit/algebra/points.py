@@ -88,3 +88,33 @@ def rank_at(
         return 0
     entries = [residue(entry, point, prime) for column in columns for entry in column]
     return int(nmod_mat(len(columns), len(columns[0]), entries, prime).rank())
+
+
+def differential(
+    ring: TrigonometricRing,
+    value: Polynomial,
+    point: Point,
+    prime: int,
+    fixed: frozenset[int] | set[int] = frozenset(),
+) -> list[int]:
+    """Derivatives at a point: by every basis angle, then by every symbol not fixed.
+
+    Args:
+        ring: Of the polynomial.
+        value: The polynomial.
+        point: An exact point and its prime.
+        prime: See ``point``.
+        fixed: Indices of generators that are held.
+    """
+    row = []
+    for angle in range(len(ring.basis)):
+        sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)
+        by_sine = residue(value.derivative(sine), point, prime)
+        by_cosine = residue(value.derivative(cosine), point, prime)
+        row.append((by_sine * point[cosine] - by_cosine * point[sine]) % prime)
+    row += [
+        residue(value.derivative(index), point, prime)
+        for index in ring.symbol_indices()
+        if index not in fixed
+    ]
+    return row

@@ -1,0 +1,236 @@
+"""Common zeros of polynomials, as a list of irreducible branches.
+
+Every polynomial is factored; a common zero lies on one factor of each.  The search
+restricts a branch by one factor at a time, substitutes, and goes on with what is left,
+so that the list is complete by construction: each case split is exhaustive, a branch is
+dropped only when a polynomial on it has no real zero, and what cannot be finished
+within the budget is returned as open, never forgotten.
+
+References: [CoxLittleOShea] §4.6 (decomposition into irreducibles).
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import combinations
+
+from screwkit.algebra.branches import (
+    Branch,
+    Substitution,
+    angle_parts,
+    is_solvable,
+    restricted,
+)
+from screwkit.algebra.factors import Factor, FactorLibrary, factor
+from screwkit.algebra.points import residue
+from screwkit.algebra.trigonometric import Polynomial, primitive
+
+
+_SHORT = 24  # terms of a polynomial from which resolvents are formed
+_PAIRS = 6
+_TRIED = 10  # polynomials that are factored to choose the next case split
+
+
+@dataclass(frozen=True)
+class Decomposition:
+    """Branches whose union is the common zero set, up to what is open.
+
+    Attributes:
+        branches: On each of them every polynomial vanishes.
+        open: Pieces that contain all further zeros, if there are any.
+        special: Pieces met only by special dimensions of the mechanism; not searched.
+    """
+
+    branches: tuple[Branch, ...]
+    open: tuple[Branch, ...] = ()
+    special: tuple[Branch, ...] = ()
+
+    @property
+    def complete(self) -> bool:
+        """Whether nothing is left open."""
+        return not self.open
+
+
+@dataclass
+class Search:
+    """One decomposition under way: its budget, and the factors met so far."""
+
+    library: FactorLibrary
+    budget: int = 600
+    largest: int = 400
+    skip: Callable[[Branch], bool] = lambda branch: False
+    source: random.Random = field(default_factory=lambda: random.Random(20121))
+    found: list[Branch] = field(default_factory=list)
+    unfinished: list[Branch] = field(default_factory=list)
+    special: list[Branch] = field(default_factory=list)
+
+
+def common_zeros(
+    branch: Branch, polynomials: Sequence[Polynomial], search: Search
+) -> Decomposition:
+    """Where, on ``branch``, all ``polynomials`` vanish.
+
+    Args:
+        branch: The piece of the configuration space to search.
+        polynomials: In normal form, in the generators left on the branch.
+        search: Budget and known factors; pieces for which ``search.skip`` is true are
+            left out (they are contained in something the caller knows).
+    """
+    _descend(branch, list(polynomials), branch.divisors, search)
+    return Decomposition(
+        tuple(search.found), tuple(search.unfinished), tuple(search.special)
+    )
+
+
+def _descend(
+    branch: Branch,
+    polynomials: list[Polynomial],
+    nonzero: list[Polynomial],
+    search: Search,
+) -> None:
+    if branch.is_special:
+        search.special.append(branch)
+        return
+    if search.skip(branch):
+        return
+    left = _still_open(branch, polynomials, search)
+    if left is None:
+        search.unfinished.append(branch)
+        return
+    if not left:
+        search.found.append(branch)
+        return
+    if search.budget <= 0:
+        search.unfinished.append(branch)
+        return
+    search.budget -= 1
+    choice = _shortest_choice(branch, left, nonzero, search)
+    if choice is None:
+        search.unfinished.append(branch)
+        return
+    excluded = list(nonzero)
+    for condition in choice:
+        for child in restricted(branch, condition):
+            step = child.steps[len(branch.steps) :]
+            on_child = replace_steps(child, step)
+            kept = [on_child.value(p) for p in excluded]
+            kept += [s.divisor for s in step if not s.divisor.is_constant()]
+            if any(p == 0 for p in kept):
+                continue
+            _descend(child, [on_child.value(p) for p in left], kept, search)
+        excluded.append(condition)
+
+
+def replace_steps(branch: Branch, steps: Sequence[Substitution]) -> Branch:
+    """A branch that applies only these of the steps."""
+    return replace(branch, conditions=(), steps=tuple(steps), pending=())
+
+
+def _still_open(
+    branch: Branch, polynomials: Sequence[Polynomial], search: Search
+) -> list[Polynomial] | None:
+    """The polynomials that do not vanish on all of the branch, shortest first.
+
+    None where a pending condition admits no exact point, so that it cannot be told.
+    """
+    left = {str(q): q for p in polynomials if p != 0 for q in (primitive(p),)}
+    if branch.pending and left:
+        points = [branch.point(search.source) for _ in range(3)]
+        if any(point is None for point in points):
+            return None
+        left = {
+            key: p
+            for key, p in left.items()
+            if any(residue(p, *point) for point in points if point is not None)
+        }
+    return sorted(left.values(), key=len)
+
+
+def _shortest_choice(
+    branch: Branch,
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> list[Polynomial] | None:
+    """The irreducible factors of the polynomial that leaves the fewest, shortest cases.
+
+    An empty list where some polynomial has no zero on the branch; None where all are
+    too long to be factored.
+    """
+    excluded = _factor_keys(branch, nonzero, search)
+    best: list[Polynomial] | None = None
+    for polynomial in _with_resolvents(branch, polynomials)[:_TRIED]:
+        if len(polynomial) > search.largest:
+            break
+        cases = possible_factors(branch, polynomial, search.library)
+        cases = [f for f in cases if f.key not in excluded]
+        conditions = [f.equations[0] for f in cases]
+        if not conditions:
+            return []
+        if best is None or _cost(branch, conditions) < _cost(branch, best):
+            best = conditions
+        if _cost(branch, best) <= (0, 2):
+            break
+    return None if best is None else sorted(best, key=len)
+
+
+def _cost(branch: Branch, conditions: Sequence[Polynomial]) -> tuple[int, int]:
+    """Conditions that cannot be solved are dear, many simple ones are cheap."""
+    return (
+        sum(len(c) for c in conditions if not is_solvable(branch, c)),
+        len(conditions),
+    )
+
+
+def _with_resolvents(branch: Branch, left: Sequence[Polynomial]) -> list[Polynomial]:
+    """The polynomials and what two of them imply together.
+
+    Two conditions P·sin φ + Q·cos φ = 0 on one angle have a common solution only where
+    the determinant of their coefficients vanishes.
+    """
+    if branch.pending:
+        return list(left)
+    ring = branch.ring
+    implied: dict[str, Polynomial] = {}
+    short = [p for p in left if len(p) <= _SHORT]
+    for angle in range(len(ring.basis)):
+        rows = []
+        for polynomial in short:
+            parts = angle_parts(ring, polynomial, angle)
+            if parts is not None and parts[2] == 0:
+                rows.append(parts[:2])
+        for (p, q), (u, v) in combinations(rows[:_PAIRS], 2):
+            resolvent = ring.normal(p * v - q * u)
+            if resolvent != 0:
+                resolvent = primitive(resolvent)
+                implied[str(resolvent)] = resolvent
+    known = {str(p) for p in left}
+    fresh = [p for key, p in implied.items() if key not in known]
+    return sorted([*left, *fresh], key=len)
+
+
+def _factor_keys(
+    branch: Branch, polynomials: Sequence[Polynomial], search: Search
+) -> set[str]:
+    keys: set[str] = set()
+    for polynomial in polynomials:
+        if len(polynomial) <= search.largest:
+            keys |= {
+                f.key
+                for f in possible_factors(branch, polynomial, search.library)
+            }
+    return keys
+
+
+def possible_factors(
+    branch: Branch, polynomial: Polynomial, library: FactorLibrary
+) -> list[Factor]:
+    """The irreducible factors that can vanish under the branch's assumptions."""
+    factored = factor(branch.ring, polynomial, library)
+    return [
+        f
+        for f, _ in factored.factors
+        if not branch.assumptions.is_nonzero(branch.ring, f.equations[0])
+    ]

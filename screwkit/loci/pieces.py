@@ -1,0 +1,100 @@
+"""Irreducible pieces of a locus, told apart and compared by exact points."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.points import Point, residue
+from screwkit.algebra.trigonometric import Polynomial
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A component: the branches (sheets) that share its conditions.
+
+    Attributes:
+        equations: Polynomials that vanish exactly on the piece (together with those of
+            pieces that contain it); each irreducible where the former ones vanish.
+        branches: Its sheets; never empty.
+    """
+
+    equations: tuple[Polynomial, ...]
+    branches: tuple[Branch, ...]
+
+    @property
+    def codimension(self) -> int:
+        """In the space of all free symbols."""
+        return self.branches[0].codimension
+
+    def contains(self, point: Point, prime: int) -> bool:
+        """Whether an exact point lies on the piece."""
+        return not any(residue(e, point, prime) for e in self.equations)
+
+
+def pieces_of(branches: Iterable[Branch]) -> list[Piece]:
+    """Sheets of the same conditions gathered, and what lies inside another left out."""
+    groups: dict[frozenset[str], list[Branch]] = {}
+    for branch in branches:
+        key = frozenset(str(condition) for condition in branch.conditions)
+        groups.setdefault(key, []).append(branch)
+    pieces = [piece for group in groups.values() for piece in _gathered(group)]
+    return without_contained(pieces)
+
+
+def _gathered(group: Sequence[Branch]) -> list[Piece]:
+    """Branches of the same conditions, sheets told apart only where it matters."""
+    by_sheets = {frozenset(str(p) for p in b.sheets): b for b in group}
+    texts = {str(p): p for branch in group for p in branch.sheets}
+    classes = {sheets: {sheets} for sheets in by_sheets}
+    for first, second in _opposites(group):
+        merged: dict[frozenset[str], set[frozenset[str]]] = {}
+        pairs = [
+            (key, frozenset(key - {first} | {second}))
+            for key in classes
+            if first in key
+        ]
+        both = all(other in classes for _, other in pairs)
+        if not both or not all(
+            second not in key or frozenset(key - {second} | {first}) in classes
+            for key in classes
+        ):
+            continue
+        for key, members in classes.items():
+            rest = frozenset(key - {first, second})
+            merged.setdefault(rest, set()).update(members)
+        classes = merged
+    return [
+        Piece(
+            (*by_sheets[min(members, key=sorted)].conditions, *map(texts.get, key)),
+            tuple(by_sheets[sheets] for sheets in sorted(members, key=sorted)),
+        )
+        for key, members in classes.items()
+    ]
+
+
+def _opposites(group: Sequence[Branch]) -> set[tuple[str, str]]:
+    """The two sheets of each solved condition."""
+    found = set()
+    for branch in group:
+        for sheet in branch.sheets:
+            other = str(-sheet - 2)
+            found.add(min((str(sheet), other), (other, str(sheet))))
+    return found
+
+
+def without_contained(pieces: Sequence[Piece]) -> list[Piece]:
+    """The pieces that lie in no other one."""
+    ordered = sorted(pieces, key=lambda piece: piece.codimension)
+    kept: list[Piece] = []
+    for piece in ordered:
+        if not any(lies_in(piece.branches[0], other) for other in kept):
+            kept.append(piece)
+    return kept
+
+
+def lies_in(branch: Branch, piece: Piece) -> bool:
+    """Whether random exact points of ``branch`` all lie on ``piece``."""
+    points = branch.points
+    return bool(points) and all(piece.contains(*point) for point in points)

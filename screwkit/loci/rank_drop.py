@@ -1,0 +1,99 @@
+"""Where a list of twists loses rank: the zeros of its maximal minors.
+
+The size of the minors is the generic rank on the branch, so that systems which are
+dependent everywhere (planar arms in space) are treated like any other.
+
+References: [CoxLittleOShea] §9.1 (determinantal varieties), [LongCaroKhalil2012] §5.1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.decomposition import Decomposition, Search, common_zeros
+from screwkit.algebra.minors import minor_table
+from screwkit.algebra.points import rank_at
+from screwkit.algebra.trigonometric import Polynomial
+
+Column = Sequence[Polynomial]
+
+
+@dataclass(frozen=True)
+class RankDrop:
+    """The locus, on a branch, where a matrix falls below its generic rank there.
+
+    Attributes:
+        rank: Generic on the branch.
+        minors: The maximal minors that are not zero on the branch.
+    """
+
+    rank: int
+    minors: tuple[Polynomial, ...]
+    decomposition: Decomposition
+
+
+def generic_rank(branch: Branch, columns: Sequence[Column]) -> int:
+    """Rank of a matrix on a branch, at random exact points of it."""
+    return max(
+        (rank_at(columns, point, prime) for point, prime in branch.points),
+        default=0,
+    )
+
+
+def rank_drop(
+    branch: Branch, columns: Sequence[Column], search: Search
+) -> RankDrop:
+    """Where on ``branch`` the columns have less than their generic rank there.
+
+    Args:
+        branch: The piece of the configuration space.
+        columns: In the generators of the whole ring; they are restricted here.
+        search: Budget, known factors, and pieces to leave out.
+    """
+    rank = generic_rank(branch, columns)
+    minors = maximal_minors(branch, columns, rank)
+    fresh = replace(search, found=[], unfinished=[])
+    return RankDrop(rank, tuple(minors), common_zeros(branch, minors, fresh))
+
+
+def maximal_minors(
+    branch: Branch, columns: Sequence[Column], rank: int
+) -> list[Polynomial]:
+    """All non-zero minors of size ``rank``, each once up to a factor."""
+    on_branch = [branch.column(column) for column in columns]
+    table = minor_table(branch.ring, on_branch, len(columns[0]), rank)
+    return [
+        minor
+        for chosen, minors in table.items()
+        if chosen.bit_count() == rank
+        for minor in minors.values()
+    ]
+
+
+def extensors(
+    branch: Branch, columns: Sequence[Column], rank: int
+) -> list[dict[int, Polynomial]]:
+    """Plücker coordinates of the span on a branch, one chart per choice of columns.
+
+    Where the rank is ``rank`` at least one chart is not zero, and the charts are
+    proportional; each is divided by the common factor of its coordinates.
+    """
+    on_branch = [branch.column(column) for column in columns]
+    table = minor_table(branch.ring, on_branch, len(columns[0]), rank)
+    charts = [
+        minors
+        for chosen, minors in table.items()
+        if chosen.bit_count() == rank and minors
+    ]
+    return [_reduced(minors) for minors in charts]
+
+
+def _reduced(minors: dict[int, Polynomial]) -> dict[int, Polynomial]:
+    common = None
+    for value in minors.values():
+        common = value if common is None else common.gcd(value)
+        if common.is_constant():
+            return minors
+    return {rows: value / common for rows, value in minors.items()}
