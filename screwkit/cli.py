@@ -16,6 +16,7 @@ import typer
 
 from screwkit import errors
 
+_DEBUG = "--debug"
 _EXAMPLE = """Mobility, singularities and actuation of mechanisms, derived exactly.
 
 \b
@@ -87,35 +88,37 @@ At = Annotated[
 ]
 
 
-def _request(
-    question: str,
-    case: str,
-    *,
-    set_values: list[str] | None,
-    actuated: str | None,
-    timeout: float | None,
-    memory: float | None,
-    as_json: bool,
-    quiet: bool,
-    at: list[str] | None = None,
-    options: dict[str, Any] | None = None,
-) -> Any:
+def _request(question: str, given: dict[str, Any], **options: Any) -> Any:
+    """The request of a command from its parameters.
+
+    Args:
+        question: What is asked.
+        given: ``locals()`` at the top of the command.
+        options: Keyword arguments of the analysis; None is left out.
+    """
     from screwkit.terminal import Request  # noqa: PLC0415
     from screwkit.worker import Job  # noqa: PLC0415
 
-    if at:
+    if given["at"]:
         raise typer.BadParameter(
             f"--at comes with posture results; {question} holds for every posture"
         )
+    memory, actuated = given["memory"], given["actuated"]
     job = Job(
         question=question,
-        case=case,
-        set_values=dict(_setting(text) for text in set_values or ()),
+        case=given["case"],
+        set_values=dict(_setting(text) for text in given["set_values"] or ()),
         actuated=None if actuated is None else _names(actuated),
-        options=options or {},
+        options={name: value for name, value in options.items() if value is not None},
         memory=None if memory is None else int(memory * 2**30),
     )
-    return Request(job, as_json, timeout, quiet, debug=_DEBUG in sys.argv)
+    return Request(
+        job,
+        given["as_json"],
+        given["timeout"],
+        given["quiet"],
+        debug=_DEBUG in sys.argv,
+    )
 
 
 def _setting(text: str) -> tuple[str, str]:
@@ -136,11 +139,10 @@ def _answer(request: Any) -> NoReturn:
 
 
 @app.command()
-def check(case: CaseName, as_json: AsJson = False, quiet: Quiet = False) -> None:
+def check(case: CaseName, *, as_json: AsJson = False, quiet: Quiet = False) -> None:
     """Is the file right: all errors, or a one-line summary.
 
-    \b
-    Example:  screwkit check arm.yaml
+    Example: screwkit check arm.yaml
     """
     from screwkit.catalogue import check_case  # noqa: PLC0415
 
@@ -150,6 +152,7 @@ def check(case: CaseName, as_json: AsJson = False, quiet: Quiet = False) -> None
 @app.command()
 def mobility(
     case: CaseName,
+    *,
     set_values: Setting = None,
     actuated: Actuated = None,
     at: At = None,
@@ -160,27 +163,15 @@ def mobility(
 ) -> None:
     """Freedoms, counted every way, with why the counts differ.
 
-    \b
-    Example:  screwkit mobility bennett
+    Example: screwkit mobility bennett
     """
-    _answer(
-        _request(
-            "mobility",
-            case,
-            set_values=set_values,
-            actuated=actuated,
-            at=at,
-            timeout=timeout,
-            memory=memory,
-            as_json=as_json,
-            quiet=quiet,
-        )
-    )
+    _answer(_request("mobility", locals()))
 
 
 @app.command()
 def screws(
     case: CaseName,
+    *,
     order: Annotated[
         Order, typer.Option(help="linear prints (v; ω) and (m; f).")
     ] = Order.DIRECTION,
@@ -194,23 +185,12 @@ def screws(
 ) -> None:
     """Twist and wrench systems of limbs and platform, actuation wrenches.
 
-    \b
-    Example:  screwkit screws nao_t14 --order linear
+    Example: screwkit screws nao_t14 --order linear
     """
-    from dataclasses import replace  # noqa: PLC0415
-
-    request = _request(
-        "screws",
-        case,
-        set_values=set_values,
-        actuated=actuated,
-        at=at,
-        timeout=timeout,
-        memory=memory,
-        as_json=as_json,
-        quiet=quiet,
-    )
+    request = _request("screws", locals())
     if order is Order.LINEAR:
+        from dataclasses import replace  # noqa: PLC0415
+
         from screwkit.reports.verdict import in_linear_order  # noqa: PLC0415
 
         request = replace(request, change=in_linear_order)
@@ -220,6 +200,7 @@ def screws(
 @app.command()
 def singularities(
     case: CaseName,
+    *,
     set_values: Setting = None,
     actuated: Actuated = None,
     at: At = None,
@@ -230,27 +211,15 @@ def singularities(
 ) -> None:
     """Limb, constraint and actuation singularities in closed form.
 
-    \b
-    Example:  screwkit singularities nao_t14 --actuated 1,2,3,7
+    Example: screwkit singularities nao_t14 --actuated 1,2,3,7
     """
-    _answer(
-        _request(
-            "singularities",
-            case,
-            set_values=set_values,
-            actuated=actuated,
-            at=at,
-            timeout=timeout,
-            memory=memory,
-            as_json=as_json,
-            quiet=quiet,
-        )
-    )
+    _answer(_request("singularities", locals()))
 
 
 @app.command()
 def schemes(
     case: CaseName,
+    *,
     size: Annotated[
         int | None, typer.Option(min=0, help="Actuated freedoms in a scheme.")
     ] = None,
@@ -266,6 +235,7 @@ def schemes(
         typer.Option("-o", "--output", help="Write .tex, .csv, .json or .txt."),
     ] = None,
     set_values: Setting = None,
+    actuated: Actuated = None,
     at: At = None,
     timeout: Timeout = None,
     memory: Memory = None,
@@ -274,36 +244,24 @@ def schemes(
 ) -> None:
     """Every choice of actuated joints, admissible or not and why, with its locus.
 
-    \b
-    Example:  screwkit schemes nao_t14 --size 5 --candidates 1,2,3,6,7,8 --all
+    Example: screwkit schemes nao_t14 --size 5 --candidates 1,2,3,6,7,8 --all
     """
-    from dataclasses import replace  # noqa: PLC0415
-
-    from screwkit.delivery import deliver_schemes, only_balanced, show_all  # noqa: PLC0415
-
-    options: dict[str, Any] = {}
-    if size is not None:
-        options["size"] = size
-    if candidates is not None:
-        options["candidates"] = list(_names(candidates))
     request = _request(
         "schemes",
-        case,
-        set_values=set_values,
-        actuated=None,
-        at=at,
-        timeout=timeout,
-        memory=memory,
-        as_json=as_json,
-        quiet=quiet,
-        options=options,
+        locals(),
+        size=size,
+        candidates=None if candidates is None else list(_names(candidates)),
     )
+    from dataclasses import replace  # noqa: PLC0415
+
+    from screwkit import delivery  # noqa: PLC0415
+
     _answer(
         replace(
             request,
-            change=only_balanced if balanced else None,
-            show=show_all if every else None,
-            deliver=None if output is None else deliver_schemes(output),
+            change=delivery.only_balanced if balanced else None,
+            show=delivery.show_all if every else None,
+            deliver=None if output is None else delivery.deliver_schemes(output),
         )
     )
 
@@ -311,6 +269,7 @@ def schemes(
 @app.command()
 def analyze(
     case: CaseName,
+    *,
     set_values: Setting = None,
     actuated: Actuated = None,
     at: At = None,
@@ -321,27 +280,15 @@ def analyze(
 ) -> None:
     """All of it, and the claims of the case beside what holds.
 
-    \b
-    Example:  screwkit analyze nao_t14 --json
+    Example: screwkit analyze nao_t14 --json
     """
-    _answer(
-        _request(
-            "analyze",
-            case,
-            set_values=set_values,
-            actuated=actuated,
-            at=at,
-            timeout=timeout,
-            memory=memory,
-            as_json=as_json,
-            quiet=quiet,
-        )
-    )
+    _answer(_request("analyze", locals()))
 
 
 @app.command()
 def report(
     case: CaseName,
+    *,
     form: Annotated[
         Format, typer.Option("--format", help="What to write.")
     ] = Format.LATEX,
@@ -358,29 +305,18 @@ def report(
 ) -> None:
     """An article with everything: LaTeX with fragments and JSON, PDF or HTML.
 
-    \b
-    Example:  screwkit report nao_t14 --format pdf -o report.pdf
+    Example: screwkit report nao_t14 --format pdf -o report.pdf
     """
+    request = _request("analyze", locals())
     from dataclasses import replace  # noqa: PLC0415
 
     from screwkit.delivery import deliver_report  # noqa: PLC0415
 
-    request = _request(
-        "analyze",
-        case,
-        set_values=set_values,
-        actuated=actuated,
-        at=at,
-        timeout=timeout,
-        memory=memory,
-        as_json=as_json,
-        quiet=quiet,
-    )
     _answer(replace(request, deliver=deliver_report(form.value, output)))
 
 
 @app.command()
-def cases(as_json: AsJson = False) -> None:
+def cases(*, as_json: AsJson = False) -> None:
     """The bundled cases."""
     from screwkit.catalogue import list_cases  # noqa: PLC0415
 
@@ -390,6 +326,7 @@ def cases(as_json: AsJson = False) -> None:
 @app.command()
 def schema(
     which: Annotated[Which, typer.Argument(help="Whose schema.")] = Which.BOTH,
+    *,
     as_json: AsJson = True,
 ) -> None:
     """JSON Schemas of mechanism files and of results."""
@@ -399,14 +336,11 @@ def schema(
 
 
 @app.command()
-def doctor(as_json: AsJson = False) -> None:
+def doctor(*, as_json: AsJson = False) -> None:
     """What is installed, and what is missing for what."""
     from screwkit.doctor import examine  # noqa: PLC0415
 
     raise typer.Exit(examine(as_json=as_json))
-
-
-_DEBUG = "--debug"
 
 
 def main(arguments: list[str] | None = None) -> NoReturn:

@@ -47,7 +47,7 @@ def deliver_schemes(path: Path) -> Delivery:
             case ".csv":
                 content = _csv(answer)
             case ".tex":
-                from screwkit.reports.article import schemes_table  # noqa: PLC0415
+                from screwkit.reports.article_schemes import schemes_table  # noqa: PLC0415
                 from screwkit.reports.latex import fragment  # noqa: PLC0415
 
                 content = fragment(schemes_table(answer, shown=None))

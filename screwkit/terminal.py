@@ -142,9 +142,7 @@ def failed(request: Request, kind: str, message: str, code: int) -> int:
     return code
 
 
-def faulty(
-    case: str, source: str, faults: tuple[Fault, ...], *, as_json: bool
-) -> int:
+def faulty(case: str, source: str, faults: tuple[Fault, ...], *, as_json: bool) -> int:
     """All faults of a file, one a line."""
     note(*(fault.located_in(source) for fault in faults))
     number = "1 error" if len(faults) == 1 else f"{len(faults)} errors"
@@ -238,7 +236,9 @@ class Ticker:
         text = f"{_where(stage)}  {stage.elapsed:.0f} s"
         if sys.stderr.isatty():
             self._status().update(text)
-        elif stage.name != self._last[0] or stage.elapsed > 2 * self._last[1] + _REFRESH:
+        elif (
+            stage.name != self._last[0] or stage.elapsed > 2 * self._last[1] + _REFRESH
+        ):
             self._last = (stage.name, stage.elapsed)
             note(f"  {text}")
 

@@ -1,0 +1,1 @@
+"""Answers as blocks, and blocks as terminal text, LaTeX, HTML and JSON."""

@@ -1,4 +1,4 @@
-"""Sections that answer `mobility`: the freedoms first, then how each count sees them."""
+"""Sections that answer `mobility`: the freedoms first, then what each count sees."""
 
 from __future__ import annotations
 
@@ -16,9 +16,10 @@ from screwkit.reports.blocks import (
     Words,
     joined,
     math,
+    prose,
     words,
 )
-from screwkit.reports.phrases import counted, listed, signed
+from screwkit.reports.phrases import counted, signed
 from screwkit.results.mobility import (
     Actuation,
     FullCycle,
@@ -113,7 +114,7 @@ def counts_table(answer: Mobility) -> Table:
             words(f"= {signed(working.value)}"),
         ]
         if remarks:
-            row.append(words(working.remark))
+            row.append(prose(working.remark))
         rows.append(tuple(row))
     return Table(tuple(columns), tuple(rows))
 
@@ -131,7 +132,7 @@ def motion_listing(platform: Platform) -> Listing:
     """The motion types with their conditions."""
     return Listing(
         tuple(
-            Condition("", motion_place(c), words(c.motion_type), words(c.reason))
+            Condition("", motion_place(c), words(c.motion_type), prose(c.reason))
             for c in platform.cases
         )
     )
@@ -152,9 +153,9 @@ def full_cycle(answer: FullCycle) -> str:
     return f"the motion is finite{because}{how}"
 
 
-def locked(actuation: Actuation) -> str:
+def locked(actuation: Actuation, separator: str = " ") -> str:
     """What stays movable with the actuated joints locked."""
-    head = f"with {listed(actuation.actuated)} locked"
+    head = f"with {separator.join(actuation.actuated)} locked"
     if not actuation.actuated:
         head = "with no joint actuated"
     if actuation.remaining_platform_freedom:

@@ -10,12 +10,14 @@ from screwkit.reports.blocks import (
     Heading,
     Loci,
     Paragraph,
+    Span,
     Strong,
     Table,
     Text,
     Words,
     joined,
     math,
+    prose,
     words,
 )
 from screwkit.reports.notation import term_count
@@ -48,7 +50,7 @@ def schemes_blocks(answer: Schemes, *, shown: int | None = SHOWN) -> tuple[Block
 
 def summary(answer: Schemes) -> Text:
     """The counts in one sentence."""
-    spans = [
+    spans: list[Span] = [
         Words(f"{answer.total} ways to actuate {counted(answer.size, 'freedom')}: "),
         Strong(f"{answer.admissible} admissible"),
     ]
@@ -88,7 +90,7 @@ def refusals_table(answer: Schemes) -> Table:
         (
             words(str(refusal.schemes)),
             words(listed(refusal.example) if refusal.schemes == 1 else ""),
-            words(refusal.reason),
+            prose(refusal.reason),
         )
         for refusal in answer.refusals
     )

@@ -12,6 +12,7 @@ from screwkit.reports.blocks import (
     Words,
     joined,
     math,
+    prose,
     words,
 )
 from screwkit.reports.phrases import counted, listed, tuple_of
@@ -51,14 +52,15 @@ def screws_blocks(answer: Screws) -> tuple[Block, ...]:
 
 def dimensions(twists: int, wrenches: int) -> str:
     """The two dimensions of a system and its reciprocal."""
-    return (
-        f"{counted(twists, 'freedom')}, {counted(wrenches, 'constraint wrench', 'constraint wrenches')}"
-    )
+    constraints = counted(wrenches, "constraint wrench", "constraint wrenches")
+    return f"{counted(twists, 'freedom')}, {constraints}"
 
 
 def convention(answer: Screws) -> str:
     """Order, frame and point, said before any coordinate."""
-    twist, wrench = ("(v; ω)", "(m; f)") if answer.order == LINEAR else ("(ω; v)", "(f; m)")
+    twist, wrench = (
+        ("(v; ω)", "(m; f)") if answer.order == LINEAR else ("(ω; v)", "(f; m)")
+    )
     where = "its origin" if answer.point == "origin" else answer.point
     return (
         f"twists {twist} and wrenches {wrench} in the axes of {answer.frame}, "
@@ -105,7 +107,7 @@ def coordinates(screw: IdentifiedScrew, order: str, *, wrench: bool) -> Text:
 def line(screw: IdentifiedScrew) -> Text:
     """The screw in geometry's words: its axis, a point of it, its pitch."""
     if screw.description:
-        return words(screw.description)
+        return prose(screw.description)
     parts: list[Text] = []
     if screw.axis:
         parts.append((Words("along "), *tuple_of(screw.axis)))
@@ -121,7 +123,9 @@ def actuation_table(wrenches: tuple[ActuationWrench, ...], order: str) -> Table:
     rows: list[tuple[Text, ...]] = []
     several = {w.joint for w in wrenches if w.freedom}
     for entry in wrenches:
-        name = f"{entry.joint}:{entry.freedom}" if entry.joint in several else entry.joint
+        name = (
+            f"{entry.joint}:{entry.freedom}" if entry.joint in several else entry.joint
+        )
         if entry.screw is None:
             rows.append((words(name), words("–"), words("adds nothing: idle"), ()))
             continue

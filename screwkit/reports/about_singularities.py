@@ -13,6 +13,7 @@ from screwkit.reports.blocks import (
     Words,
     joined,
     math,
+    prose,
     words,
 )
 from screwkit.reports.conditions import (
@@ -76,13 +77,15 @@ def limb_blocks(
         )
         for one in limb.intersections
     ]
-    blocks.append(Paragraph(words(verdict(limb, none=not items)), 2))
+    blocks.append(Paragraph(prose(verdict(limb, none=not items)), 2))
     return blocks
 
 
 def meeting(one: Intersection, entries: Sequence[Numbered]) -> Text:
     """Which numbered conditions meet, and what else must hold."""
-    together = joined([(entries[index].reference,) for index in one.components], " and ")
+    together = joined(
+        [(entries[index].reference,) for index in one.components], " and "
+    )
     if not one.extra:
         return together
     extra = joined([math(f"{equation} = 0") for equation in one.extra])
@@ -117,13 +120,11 @@ def constraint_blocks(
     items = [condition(entry, numbering.single) for entry in numbering.constraint]
     if items:
         blocks.append(Listing(tuple(items)))
-    blocks.append(Paragraph(words(verdict(part, none=not items)), 2))
+    blocks.append(Paragraph(prose(verdict(part, none=not items)), 2))
     return blocks
 
 
-def actuation_blocks(
-    part: ActuationSingularities, numbering: Numbering
-) -> list[Block]:
+def actuation_blocks(part: ActuationSingularities, numbering: Numbering) -> list[Block]:
     """Where the locked platform can move after all."""
     locked = listed(part.actuated)
     blocks: list[Block] = [
@@ -135,11 +136,11 @@ def actuation_blocks(
     ]
     if not part.admissible:
         why = f": {part.witness}" if part.witness else ""
-        return [*blocks, Paragraph(words(f"not admissible, it always can{why}"), 2)]
+        return [*blocks, Paragraph(prose(f"not admissible, it always can{why}"), 2)]
     items = [condition(entry, numbering.single) for entry in numbering.actuation]
     if items:
         blocks.append(Listing(tuple(items)))
-    blocks.append(Paragraph(words(verdict(part, none=not items)), 2))
+    blocks.append(Paragraph(prose(verdict(part, none=not items)), 2))
     if part.idle:
         where = joined([idle_place(component) for component in part.idle], ";  ")
         head = Words("idle only (the platform stays fixed): ")

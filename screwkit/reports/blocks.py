@@ -19,6 +19,13 @@ class Words:
 
 
 @dataclass(frozen=True, slots=True)
+class Prose:
+    """A sentence of an answer, in which ``q4`` or ``O1`` stand for themselves."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class Strong:
     """Text that carries the answer."""
 
@@ -75,7 +82,7 @@ class Citation:
     place: str = ""
 
 
-Span: TypeAlias = Words | Strong | Math | Loci | Loose | Reference | Citation
+Span: TypeAlias = Words | Prose | Strong | Math | Loci | Loose | Reference | Citation
 Text: TypeAlias = tuple[Span, ...]
 
 
@@ -192,6 +199,11 @@ Block: TypeAlias = (
 def words(text: str) -> Text:
     """Plain text as a `Text`; nothing for the empty string."""
     return (Words(text),) if text else ()
+
+
+def prose(text: str) -> Text:
+    """A sentence of an answer as a `Text`; nothing for the empty string."""
+    return (Prose(text),) if text else ()
 
 
 def math(text: str, terms: int = 0) -> Text:

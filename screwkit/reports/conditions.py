@@ -19,6 +19,7 @@ from screwkit.reports.blocks import (
     Words,
     joined,
     math,
+    prose,
     words,
 )
 from screwkit.reports.phrases import counted
@@ -139,7 +140,7 @@ def place(entry: Numbered, single: Mapping[str, Numbered]) -> tuple[Text, bool]:
         if solution is not None:
             return math(solution_text(solution)), False
         if component.geometry and len(equation) > _SHORT:
-            return words(component.geometry), True
+            return prose(component.geometry), True
         return math(f"{equation} = 0"), False
     parts: list[Text] = []
     for equation, solution in pairs:
@@ -177,7 +178,7 @@ def condition(entry: Numbered, single: Mapping[str, Numbered]) -> Condition:
         sentences.append(component.geometry)
     elif earlier is not None and earlier.number != entry.number:
         meaning = (Words("see "), earlier.reference)
-    text = words("; ".join(sentence for sentence in sentences if sentence))
+    text = prose("; ".join(sentence for sentence in sentences if sentence))
     return Condition(
         number=str(entry.number),
         where=where,

@@ -6,6 +6,7 @@ longer form that one submits from the same parts.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import singledispatch
@@ -24,6 +25,8 @@ from screwkit.reports.blocks import (
     Table,
     Text,
     Words,
+    joined,
+    math,
     words,
 )
 from screwkit.results.analysis import Analysis, ClaimCheck, Description, Undecided
@@ -31,6 +34,8 @@ from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import Screws
 from screwkit.results.singularities import Singularities
+
+_FORMULA = re.compile(r"[*(]|\w [-+] \w")
 
 
 @dataclass(frozen=True)
@@ -165,7 +170,7 @@ def claims_table(claims: Sequence[ClaimCheck]) -> Table:
             words(claim.question),
             plain_value(claim.claimed),
             plain_value(claim.computed) or words("undecided"),
-            words(claim_remark(claim)),
+            words(f"{claim_remark(claim)} ({claim.status}: {claim.source})"),
         )
         for claim in claims
     )
@@ -179,8 +184,11 @@ def plain_value(value: Any) -> Text:
     if isinstance(value, bool):
         return words("yes" if value else "no")
     if isinstance(value, list | tuple):
-        return words(", ".join(str(item) for item in value) or "none")
-    return words(str(value).replace("-", "−") if isinstance(value, int) else str(value))
+        return joined([plain_value(item) for item in value]) or words("none")
+    if isinstance(value, int):
+        return words(str(value).replace("-", "−"))
+    text = str(value)
+    return math(text) if _FORMULA.search(text) else words(text)
 
 
 def claim_remark(claim: ClaimCheck) -> str:
@@ -188,8 +196,7 @@ def claim_remark(claim: ClaimCheck) -> str:
     state = {True: "agrees", False: "differs", None: "not compared"}[claim.agrees]
     if claim.agrees is False and not claim.holds:
         state = "differs, as noted"
-    note = claim.note or f"{claim.status}: {claim.source}"
-    return f"{state}; {note}" if note else state
+    return f"{state}; {claim.note}" if claim.note else state
 
 
 __all__ = [

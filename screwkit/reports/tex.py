@@ -131,7 +131,7 @@ def _character(character: str) -> str:
     sign = _sign(character)
     if sign is not None:
         return rf"\ensuremath{{{sign}}}"
-    base, *marks = unicodedata.normalize("NFD", character)
+    base, *marks = list(unicodedata.normalize("NFD", character))
     if len(marks) == 1 and marks[0] in _ACCENTS and base.isascii() and base.isalpha():
         base = {"i": r"\i{}", "j": r"\j{}"}.get(base, base)
         return rf"\{_ACCENTS[marks[0]]}{{{base}}}"
@@ -155,6 +155,32 @@ def _sign(character: str) -> str | None:
             return f"_{{{plain}}}"
         return plain
     return None
+
+
+_LETTER = re.compile(
+    r"(?<![\w.])(?:(sin|cos|tan)([²³]?) )?([A-Za-z]|[αβγδεθφψω])(\d{1,3})(?![\w.])"
+)
+
+
+@lru_cache(maxsize=4096)
+def prose(text: str) -> str:
+    r"""A sentence for TeX's running text, its names such as ``q4`` with subscripts.
+
+    >>> print(prose("sin q4 = 0 on axis 3"))
+    $\sin q_{4}$ = 0 on axis 3
+    """
+    written: list[str] = []
+    at = 0
+    for match in _LETTER.finditer(text):
+        function, power, letter, digits = match.groups()
+        head = f"\\{function}" if function else ""
+        head += {"²": "^{2}", "³": "^{3}"}.get(power or "", "") + (" " if head else "")
+        stem = f"\\{GREEK_TO_NAME[letter]}" if letter in GREEK_TO_NAME else letter
+        written.append(escape(text[at : match.start()]))
+        written.append(f"${head}{stem}_{{{digits}}}$")
+        at = match.end()
+    written.append(escape(text[at:]))
+    return "".join(written)
 
 
 @lru_cache(maxsize=1024)

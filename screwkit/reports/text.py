@@ -26,6 +26,7 @@ from screwkit.reports.blocks import (
     Math,
     Matrix,
     Paragraph,
+    Prose,
     Reference,
     Span,
     Strong,
@@ -33,7 +34,8 @@ from screwkit.reports.blocks import (
     Text,
     Words,
 )
-from screwkit.reports.notation import SUPERSCRIPTS, factor_unicode, in_unicode, term_count
+from screwkit.reports.notation import factor_unicode, in_unicode, term_count
+from screwkit.reports.spelling import SUPERSCRIPTS
 
 WIDTH: Final = 100
 CAP: Final = 160
@@ -101,7 +103,7 @@ def _apart(before: Block, block: Block) -> bool:
 
 def _span(span: Span, page: Page) -> str:
     match span:
-        case Words(text) | Loose(text):
+        case Words(text) | Prose(text) | Loose(text):
             return _printable(text)
         case Strong(text):
             text = _printable(text)

@@ -26,10 +26,10 @@ def is_plain_yes(result: Any) -> bool:
         case Mobility():
             return result.full_cycle.status != "undecided"
         case Singularities():
-            parts = [*result.limb, result.constraint]
             locked = result.actuation
             fine = locked is None or (locked.admissible and locked.complete)
-            return fine and all(part.complete for part in parts)
+            limbs = all(limb.complete for limb in result.limb)
+            return fine and limbs and result.constraint.complete
         case Schemes():
             return result.complete and (result.admissible > 0 or result.total == 0)
         case Analysis():
@@ -39,15 +39,15 @@ def is_plain_yes(result: Any) -> bool:
                 result.singularities,
                 result.schemes,
             )
-            broken = any(claim.holds and claim.agrees is False for claim in result.claims)
+            broken = any(
+                claim.holds and claim.agrees is False for claim in result.claims
+            )
             return not broken and all(map(is_plain_yes, answers))
         case _:
             return True
 
 
-def partial_analysis(
-    parts: Sequence[tuple[str, Any]], reason: str
-) -> Analysis | None:
+def partial_analysis(parts: Sequence[tuple[str, Any]], reason: str) -> Analysis | None:
     """The finished parts of `analyze` with the rest undecided.
 
     None while not even the description of the mechanism is there.
@@ -83,9 +83,7 @@ def in_linear_order(answer: Screws) -> Screws:
         answer,
         order=LINEAR,
         limbs=tuple(
-            replace(
-                limb, twists=twists(limb.twists), wrenches=wrenches(limb.wrenches)
-            )
+            replace(limb, twists=twists(limb.twists), wrenches=wrenches(limb.wrenches))
             for limb in answer.limbs
         ),
         platform=replace(

@@ -102,7 +102,9 @@ def schema(annotation: Any, definitions: Json) -> Json:
         return simple[annotation]
     origin = get_origin(annotation)
     if origin in (Union, UnionType):
-        return {"anyOf": [schema(option, definitions) for option in get_args(annotation)]}
+        return {
+            "anyOf": [schema(option, definitions) for option in get_args(annotation)]
+        }
     if origin is tuple:
         items = get_args(annotation)
         if items[-1] is Ellipsis:
@@ -123,7 +125,9 @@ def schema(annotation: Any, definitions: Json) -> Json:
 
 def _object_schema(annotation: type, definitions: Json) -> Json:
     hints = _hints(annotation)
-    properties = {f.name: schema(hints[f.name], definitions) for f in fields(annotation)}
+    properties = {
+        f.name: schema(hints[f.name], definitions) for f in fields(annotation)
+    }
     required = [
         f.name
         for f in fields(annotation)

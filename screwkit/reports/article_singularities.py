@@ -1,0 +1,212 @@
+"""Singularities as an article shows them: numbered conditions in tables."""
+
+from __future__ import annotations
+
+from screwkit.reports.about_singularities import idle_place, meeting, verdict
+from screwkit.reports.blocks import (
+    Block,
+    Column,
+    Heading,
+    Paragraph,
+    Table,
+    Text,
+    Words,
+    joined,
+    math,
+    prose,
+    words,
+)
+from screwkit.reports.conditions import (
+    Numbered,
+    Numbering,
+    consequence,
+    matched,
+    numbered,
+    solution_text,
+)
+from screwkit.reports.phrases import counted
+from screwkit.results.singularities import (
+    ActuationSingularities,
+    ConstraintSingularities,
+    LimbSingularities,
+    Singularities,
+)
+
+
+def singularities_summary(answer: Singularities) -> str:
+    """Numbers of components and what was proved, in a sentence or two."""
+    limb = sum(len(one.components) for one in answer.limb)
+    parts = [
+        f"The singular loci have {counted(limb, 'limb component')}, "
+        f"{counted(len(answer.constraint.components), 'constraint component')}"
+    ]
+    everything: list[bool] = [one.complete for one in answer.limb]
+    everything.append(answer.constraint.complete)
+    if answer.actuation is not None:
+        number = len(answer.actuation.components)
+        locked = ", ".join(answer.actuation.actuated)
+        parts.append(
+            f" and {counted(number, 'actuation component')} with {locked} locked"
+            if answer.actuation.admissible
+            else f"; locking {locked} does not stop the platform"
+        )
+        everything.append(answer.actuation.complete)
+    parts.append(
+        "; all lists are proved complete."
+        if all(everything)
+        else "; where a list is not proved complete, it is said."
+    )
+    return "".join(parts)
+
+
+def singularities_sections(answer: Singularities) -> tuple[Block, ...]:
+    """Three sections: limb, constraint, actuation."""
+    numbering = numbered(answer)
+    blocks: list[Block] = [Heading(words("Limb singularities"), 1)]
+    if not answer.limb:
+        blocks.append(Paragraph(words("There is no limb.")))
+    for index, (limb, entries) in enumerate(
+        zip(answer.limb, numbering.limbs, strict=True)
+    ):
+        blocks += _limb(limb, entries, numbering, index)
+    blocks += _constraint(answer.constraint, numbering)
+    if answer.actuation is not None:
+        blocks += _actuation(answer.actuation, numbering)
+    return tuple(blocks)
+
+
+def _limb(
+    limb: LimbSingularities,
+    entries: tuple[Numbered, ...],
+    numbering: Numbering,
+    index: int,
+) -> list[Block]:
+    head = (
+        f"Limb {limb.limb}, joints {', '.join(limb.joints)}: the twist system has rank "
+        f"{limb.generic_rank} in general."
+    )
+    blocks: list[Block] = [Paragraph(words(head))]
+    if entries:
+        caption = f"Rank deficiency of limb {limb.limb}"
+        blocks.append(
+            _conditions(entries, numbering, caption, f"table:limb-singular{index}")
+        )
+    for one in limb.intersections:
+        where = meeting(one, entries)
+        blocks.append(
+            Paragraph(
+                (Words("On conditions "), *where, Words(f" the rank is {one.rank}."))
+            )
+        )
+    blocks.append(Paragraph(prose(_sentence(verdict(limb, none=not entries)))))
+    return blocks
+
+
+def _constraint(part: ConstraintSingularities, numbering: Numbering) -> list[Block]:
+    blocks: list[Block] = [
+        Heading(words("Constraint singularities"), 1),
+        Paragraph(
+            words(
+                f"The loop constraint matrix has rank {part.generic_rank} in general."
+            )
+        ),
+    ]
+    if numbering.constraint:
+        blocks.append(
+            _conditions(
+                numbering.constraint,
+                numbering,
+                "Constraint singularities",
+                "table:constraint",
+            )
+        )
+    text = _sentence(verdict(part, none=not numbering.constraint))
+    blocks.append(Paragraph(prose(text)))
+    return blocks
+
+
+def _actuation(part: ActuationSingularities, numbering: Numbering) -> list[Block]:
+    locked = ", ".join(part.actuated)
+    blocks: list[Block] = [
+        Heading(words("Actuation singularities"), 1),
+        Paragraph(
+            words(
+                f"With {locked} locked, the global wrench system has rank "
+                f"{part.generic_rank} in general."
+            )
+        ),
+    ]
+    if not part.admissible:
+        why = f": {part.witness}" if part.witness else ""
+        text = f"The scheme is not admissible, the platform can always move{why}."
+        return [*blocks, Paragraph(prose(text))]
+    if numbering.actuation:
+        blocks.append(
+            _conditions(
+                numbering.actuation,
+                numbering,
+                f"Actuation singularities with {locked} locked",
+                "table:actuation",
+            )
+        )
+    text = _sentence(verdict(part, none=not numbering.actuation))
+    blocks.append(Paragraph(prose(text)))
+    if part.idle:
+        where = joined([idle_place(component) for component in part.idle], "; ")
+        blocks.append(
+            Paragraph(
+                (
+                    Words("A limb moves idly while the platform stays fixed where "),
+                    *where,
+                    Words("."),
+                )
+            )
+        )
+    return blocks
+
+
+def _sentence(text: str) -> str:
+    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
+
+
+def _conditions(
+    entries: tuple[Numbered, ...], numbering: Numbering, caption: str, label: str
+) -> Table:
+    """No., condition, solution, rank, geometry."""
+    rows = tuple(_row(entry, numbering) for entry in entries)
+    columns = (
+        Column(words("No."), "right"),
+        Column(words("Condition"), "wrap", 1.25),
+        Column(words("Solution"), "wrap"),
+        Column(words("Rank"), "centre"),
+        Column(words("Geometry"), "wrap", 1.15),
+    )
+    return Table(
+        columns,
+        rows,
+        words(caption),
+        label,
+        anchors=tuple(entry.label for entry in entries),
+        long=True,
+    )
+
+
+def _row(entry: Numbered, numbering: Numbering) -> tuple[Text, ...]:
+    component = entry.component
+    pairs = matched(component)
+    condition = joined([math(f"{equation} = 0") for equation, _ in pairs])
+    solved = joined([math(solution_text(s)) for _, s in pairs if s is not None])
+    sentences = [component.geometry or "", consequence(component)]
+    text = prose("; ".join(sentence for sentence in sentences if sentence))
+    parts: list[Text] = [text]
+    if len(pairs) == 1:
+        known = numbering.single.get(component.equations[0])
+        if known is not None and known.number != entry.number:
+            parts.append((Words("see "), known.reference))
+    return (
+        words(str(entry.number)),
+        condition,
+        solved or words("–"),
+        words(str(component.rank)),
+        joined(parts, "; "),
+    )
