@@ -11,7 +11,7 @@ References: [LongCaroKhalil2012] eqs. (1)-(3), (7).
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -66,13 +66,26 @@ class Closure:
 
 @dataclass(frozen=True)
 class _Grasp:
-    """The limbs with the displacements that a motion keeps, and what may move."""
+    """The limbs, the displacements that a motion keeps, what may move, and bounds."""
 
     mechanism: Mechanism
     paths: tuple[tuple[Step, ...], ...]
     constants: Posture
     passive: tuple[str, ...]
-    kept: tuple[tuple[Array, Array], ...]
+    tolerance: float
+    iterations: int
+    kept: tuple[tuple[Array, Array], ...] = ()
+
+    @property
+    def variables(self) -> dict[str, str]:
+        """The variable of each joint of the limbs."""
+        names = [name for path in self.paths for name, _ in path]
+        return {name: self.mechanism.joint(name).variables[0] for name in names}
+
+    @property
+    def free(self) -> tuple[str, ...]:
+        """The variables of the passive joints."""
+        return tuple(self.variables[name] for name in self.passive)
 
     def ends(self, posture: Posture) -> tuple[tuple[Array, Array], ...]:
         """The end of each limb but the first, seen from the end of the first."""
@@ -93,13 +106,10 @@ class _Grasp:
             self.ends(posture), self.kept, strict=True
         ):
             excess = turn @ np.swapaxes(kept_turn, -1, -2)
-            angle = _rotation_vector(excess)
+            turned, angle = _rotation_vector(excess)
             velocity = shift - (excess @ kept_shift[..., None])[..., 0]
-            errors += [angle, velocity]
-            sizes += [
-                np.linalg.norm(angle, axis=-1),
-                np.linalg.norm(shift - kept_shift, axis=-1),
-            ]
+            errors += [turned, velocity]
+            sizes += [angle, np.linalg.norm(shift - kept_shift, axis=-1)]
         size = np.max(np.stack(np.broadcast_arrays(*sizes)), axis=0)
         batch = size.shape
         wide = [np.broadcast_to(e, (*batch, 3)) for e in errors]
@@ -146,15 +156,9 @@ def close_grasp(
         UnknownNameError: If a joint is not in the limbs, or a value is missing.
         UndecidedError: If the mechanism is not one that can be placed.
     """
-    grasp = _defined(mechanism, limbs, start, actuated)
-    return _closed(
-        grasp,
-        start,
-        actuated,
-        guess or start,
-        tolerance=tolerance,
-        iterations=iterations,
-    )
+    bounds = (tolerance, iterations)
+    grasp = _defined(mechanism, limbs, start, actuated, bounds)
+    return _closed(grasp, start, actuated, guess or start)
 
 
 def closed_motion(
@@ -187,19 +191,18 @@ def closed_motion(
         UnknownNameError: If a joint is not in the limbs, or a value is missing.
         UndecidedError: If the mechanism is not one that can be placed.
     """
-    grasp = _defined(mechanism, limbs, start, path)
+    bounds = (tolerance, iterations)
+    grasp = _defined(mechanism, limbs, start, path, bounds)
     values = {n: np.asarray(v, dtype=float) for n, v in path.items()}
     points = len(next(iter(values.values()))) if values else 0
-    names = _variables(grasp)
-    found = {variable: np.full(points, np.nan) for variable in names.values()}
+    variables = grasp.variables.values()
+    found = {variable: np.full(points, np.nan) for variable in variables}
     residual = np.full(points, np.inf)
-    here = {v: np.asarray(start[v], dtype=float) for v in names.values()}
+    here = {v: np.asarray(start[v], dtype=float) for v in variables}
     taken = 0
     for point in range(points):
         target = {n: v[point] for n, v in values.items()}
-        step = _advanced(
-            grasp, here, target, tolerance=tolerance, iterations=iterations
-        )
+        step = _advanced(grasp, here, target)
         taken += step.iterations
         if not step.closed:
             break
@@ -215,6 +218,7 @@ def _defined(
     limbs: Sequence[LimbPath],
     start: Posture,
     actuated: Mapping[str, Array | float],
+    bounds: tuple[float, int],
 ) -> _Grasp:
     paths = limb_paths(mechanism, limbs)
     names = [name for path in paths for name, _ in path]
@@ -222,14 +226,8 @@ def _defined(
         if name not in names:
             raise UnknownNameError(unknown_joint(name, names))
     passive = tuple(name for name in names if name not in actuated)
-    open_grasp = _Grasp(mechanism, paths, start, passive, ())
-    return _Grasp(mechanism, paths, start, passive, open_grasp.ends({}))
-
-
-def _variables(grasp: _Grasp) -> dict[str, str]:
-    """The variable of each joint of the limbs."""
-    names = [name for path in grasp.paths for name, _ in path]
-    return {name: grasp.mechanism.joint(name).variables[0] for name in names}
+    grasp = _Grasp(mechanism, paths, start, passive, *bounds)
+    return replace(grasp, kept=grasp.ends({}))
 
 
 def _closed(
@@ -237,22 +235,18 @@ def _closed(
     start: Posture,
     actuated: Mapping[str, Array | float],
     guess: Posture,
-    *,
-    tolerance: float,
-    iterations: int,
 ) -> Closure:
     """Newton's method on the whole batch; ends one step after the tolerance is met."""
-    variables = _variables(grasp)
+    variables, free = grasp.variables, grasp.free
     begin = {**start, **guess}
     batch = np.broadcast_shapes(
         *(np.shape(v) for v in actuated.values()),
-        *(np.shape(begin[variables[n]]) for n in grasp.passive),
+        *(np.shape(begin[variable]) for variable in free),
     )
     fixed = {
         variables[n]: np.broadcast_to(np.asarray(v, dtype=float), batch)
         for n, v in actuated.items()
     }
-    free = [variables[n] for n in grasp.passive]
     values = np.empty((*batch, len(free)))
     for index, variable in enumerate(free):
         values[..., index] = begin[variable]
@@ -261,8 +255,8 @@ def _closed(
         return {**fixed, **{v: of[..., i] for i, v in enumerate(free)}}
 
     miss, size = grasp.miss(posture(values))
-    taken, polished = 0, False
-    while taken < iterations and not polished:
+    tolerance, taken, polished = grasp.tolerance, 0, False
+    while taken < grasp.iterations and not polished:
         polished = bool((size <= tolerance).all())
         jacobian = grasp.jacobian(posture(values))
         jacobian = np.where(np.isfinite(jacobian), jacobian, 0.0)
@@ -285,47 +279,27 @@ def _advanced(
     grasp: _Grasp,
     here: Mapping[str, Array],
     target: Mapping[str, Array],
-    *,
-    tolerance: float,
-    iterations: int,
     halvings: int = HALVINGS,
 ) -> Closure:
     """One step of a motion, halved where it fails or leaps."""
-    step = _closed(
-        grasp, here, target, here, tolerance=tolerance, iterations=iterations
-    )
-    variables = _variables(grasp)
-    free = [variables[name] for name in grasp.passive]
-    leap = max((float(abs(step.posture[v] - here[v])) for v in free), default=0.0)
-    if (step.closed and leap <= LONGEST_STEP) or not halvings:
-        closed = step.closed and leap <= LONGEST_STEP
-        return Closure(step.posture, closed, step.residual, step.iterations)
-    half = {n: (here[variables[n]] + v) / 2 for n, v in target.items()}
-    first = _advanced(
-        grasp,
-        here,
-        half,
-        tolerance=tolerance,
-        iterations=iterations,
-        halvings=halvings - 1,
-    )
-    taken = step.iterations + first.iterations
-    if not first.closed:
-        return Closure(first.posture, False, first.residual, taken)
-    second = _advanced(
-        grasp,
-        first.posture,
-        target,
-        tolerance=tolerance,
-        iterations=iterations,
-        halvings=halvings - 1,
-    )
-    taken += second.iterations
-    return Closure(second.posture, second.closed, second.residual, taken)
+    step = _closed(grasp, here, target, here)
+    leap = max((float(abs(step.posture[v] - here[v])) for v in grasp.free), default=0.0)
+    step = replace(step, closed=step.closed and leap <= LONGEST_STEP)
+    if step.closed or not halvings:
+        return step
+    half = {n: (here[grasp.variables[n]] + v) / 2 for n, v in target.items()}
+    taken = step.iterations
+    for goal in (half, target):
+        step = _advanced(grasp, here, goal, halvings - 1)
+        taken += step.iterations
+        if not step.closed:
+            break
+        here = step.posture
+    return replace(step, iterations=taken)
 
 
-def _rotation_vector(rotation: Array) -> Array:
-    """Axis times angle, batch + (3,), of rotations of less than half a turn."""
+def _rotation_vector(rotation: Array) -> tuple[Array, Array]:
+    """Axis times angle, batch + (3,), and the angle; the axis is 0 at half a turn."""
     axis = 0.5 * np.stack(
         [
             rotation[..., 2, 1] - rotation[..., 1, 2],
@@ -338,4 +312,4 @@ def _rotation_vector(rotation: Array) -> Array:
     cosine = 0.5 * (np.trace(rotation, axis1=-2, axis2=-1) - 1.0)
     angle = np.arctan2(sine, cosine)
     scale = np.where(sine > 1e-150, angle / np.maximum(sine, 1e-150), 1.0)
-    return axis * scale[..., None]
+    return axis * scale[..., None], np.asarray(angle)

@@ -29,8 +29,12 @@ from screwkit.kinematics.placement import placed_links
 from screwkit.mechanism.model import Mechanism
 from screwkit.screws.displacement import Displacement, screw_about
 
-DEGENERATE = 1e-12
-"""Below this |sin α| the axes z of the two frames count as parallel."""
+DEGENERATE = 1e-8
+"""Up to this |sin α| the axes z of the two frames count as parallel.
+
+Taking them as parallel misses by |sin α|; not doing so loses 1e-16/|sin α| of the
+translation in b ± r.  The two are equal here.
+"""
 
 
 @dataclass(frozen=True)
@@ -81,8 +85,8 @@ def grasp_frame(
 
     On branch +1 sin α ≥ 0, on branch −1 sin α ≤ 0.  Where sin α = 0 only γ ± θ and
     b ± r are determined; there r = 0 and d ≥ 0 on both branches, and γ is the direction
-    of the translation (0 where that is along z).  Just outside, the parameters are
-    ill-conditioned: b and r carry an error of about 1e-16·length/|sin α|.
+    of the translation (0 where that is along z).  The displacement is met to rounding
+    where sin α is zero or not small, and to 1e-8 at worst in between (`DEGENERATE`).
 
     Args:
         rotation: Shape batch + (3, 3).

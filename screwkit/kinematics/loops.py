@@ -23,14 +23,18 @@ from screwkit.algebra.evaluation import cosine_sine, evaluate
 from screwkit.algebra.ring import Ring, S
 from screwkit.conventions import SCREW_DIMENSION
 from screwkit.errors import ExpressionError, UndecidedError, UnknownNameError
-from screwkit.kinematics.placement import MOVING, JointTwist, joint_twists
+from screwkit.kinematics.placement import GRASPS, MOVING, JointTwist, joint_twists
 from screwkit.mechanism.model import Mechanism
 
 Step: TypeAlias = tuple[str, int]
 """A joint and +1 where it is passed from parent to child, −1 where backwards."""
 
 LimbPath: TypeAlias = Sequence[str | Step]
-"""The moving joints of a limb from base to platform; a bare name is (name, +1)."""
+"""The joints of a serial limb from base to platform; a bare name is (name, +1).
+
+Rigid joints may be listed, as ``path`` of `mechanism.graph.limbs` does; they are passed
+over.
+"""
 
 Loop: TypeAlias = tuple[Step, ...]
 """A closed walk: its joints in order, with the sign in which each is passed."""
@@ -73,36 +77,35 @@ class LoopMatrix(Generic[S]):
 def limb_paths(
     mechanism: Mechanism, limbs: Sequence[LimbPath]
 ) -> tuple[tuple[Step, ...], ...]:
-    """Limbs with a sign at every joint, checked against the mechanism.
+    """Limbs as their moving joints with signs, checked against the mechanism.
 
     Raises:
         UnknownNameError: If a name is no joint of the mechanism.
-        UndecidedError: If a joint is neither revolute nor prismatic.
-        ValueError: If there are fewer than two limbs, a limb is empty, a joint occurs
-            twice, or a sign is not ±1.
+        UndecidedError: If a joint is neither revolute nor prismatic nor rigid.
+        ValueError: If there are fewer than two limbs, a limb has no moving joint, a
+            joint occurs twice, or a sign is not ±1.
     """
-    paths = tuple(
-        tuple((step, 1) if isinstance(step, str) else step for step in limb)
-        for limb in limbs
-    )
-    steps = [step for path in paths for step in path]
-    names = [name for name, _ in steps]
+    known = {joint.name: joint for joint in mechanism.joints}
+    paths: list[tuple[Step, ...]] = []
+    for limb in limbs:
+        steps = [(step, 1) if isinstance(step, str) else step for step in limb]
+        for name, sign in steps:
+            if name not in known:
+                raise UnknownNameError(unknown_joint(name, tuple(known)))
+            if known[name].type not in (*MOVING, *GRASPS):
+                raise UndecidedError(
+                    f"joint {name!r} is {known[name].type}; the numeric loop model "
+                    f"takes revolute, prismatic and rigid joints"
+                )
+            if sign not in {1, -1}:
+                raise ValueError("the sign of a joint is 1 or -1")
+        paths.append(tuple(step for step in steps if known[step[0]].type in MOVING))
+    names = [name for path in paths for name, _ in path]
     if len(paths) < 2 or not all(paths):
-        raise ValueError("a loop needs two limbs or more, each with a joint")
+        raise ValueError("a loop needs two limbs or more, each with a moving joint")
     if len(set(names)) < len(names):
         raise ValueError("a joint belongs to one limb, once")
-    if any(sign not in (1, -1) for _, sign in steps):
-        raise ValueError("the sign of a joint is 1 or -1")
-    known = {joint.name: joint for joint in mechanism.joints}
-    for name in names:
-        if name not in known:
-            raise UnknownNameError(unknown_joint(name, tuple(known)))
-        if known[name].type not in MOVING:
-            raise UndecidedError(
-                f"joint {name!r} is {known[name].type}; the numeric loop model takes "
-                f"revolute and prismatic joints, leave rigid ones out of the limb"
-            )
-    return paths
+    return tuple(paths)
 
 
 def unknown_joint(name: str, known: Sequence[str]) -> str:
@@ -144,7 +147,7 @@ def loop_matrix(
     Args:
         mechanism: An ``mdh`` mechanism.
         ring: Where the entries live.
-        limbs: Moving joints of each limb from base to platform.
+        limbs: See `LimbPath`.
         reference: The limb every other one is compared with.
         frames: A link for each loop; the base where absent.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from kinematics.arms import NAO_LIMBS, nao, nao_posture
+from kinematics.arms import NAO_LIMBS, nao, nao_posture, planar, system
 from kinematics.test_rates import EACH, SYSTEMS
 
 from screwkit.errors import UnknownNameError
@@ -106,6 +106,15 @@ def test_a_batch_may_close_in_part() -> None:
     assert not found.closed
     np.testing.assert_array_equal(found.residual <= 1e-12, [[True, False]] * 2)
     assert np.isinf(found.residual[1, 1])
+
+
+def test_half_a_turn_off_is_not_closed() -> None:
+    """Two coaxial joints: R − Rᵀ vanishes half a turn away, and that is no closure."""
+    pair = system([planar(1, "0"), planar(1, "0")], seed=1)
+    turned = {"a1": pair.posture["q_a1"] + np.pi, "b1": pair.posture["q_b1"]}
+    found = close_grasp(pair.mechanism, pair.limbs, pair.posture, turned)
+    assert not found.closed
+    assert found.residual == pytest.approx(np.pi)
 
 
 def test_unknown_joint() -> None:

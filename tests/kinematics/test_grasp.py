@@ -93,6 +93,20 @@ def test_parallel_axes(facing: float, branch: int) -> None:
     np.testing.assert_allclose(frame.b, shift[:, 2])
 
 
+@pytest.mark.parametrize("branch", [1, -1])
+def test_nearly_parallel_axes(branch: int) -> None:
+    """The error peaks at the change of rule and stays below 1e-7 of the lengths."""
+    source = np.random.default_rng(5)
+    sine = 10.0 ** source.uniform(-17, 0, 2000)
+    alpha = np.where(source.random(2000) < 0.5, sine, np.pi - sine)
+    gamma, theta = source.uniform(-np.pi, np.pi, (2, 2000))
+    b, d = source.normal(size=(2, 2000))
+    turn, shift = rebuilt(GraspFrame(gamma, b, alpha, d, theta, np.ones(2000)))
+    frame = grasp_frame(turn, shift, branch)
+    np.testing.assert_allclose(rebuilt(frame)[0], turn, atol=1.1e-8)
+    np.testing.assert_allclose(rebuilt(frame)[1], shift, atol=1e-7)
+
+
 def test_nothing_moved() -> None:
     frame = grasp_frame(np.eye(3), np.zeros(3))
     assert [float(getattr(frame, name)) for name in NAMES] == [0.0] * 6

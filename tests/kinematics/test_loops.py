@@ -33,7 +33,8 @@ from screwkit.kinematics.loops import (
     stacked,
 )
 from screwkit.kinematics.placement import joint_twists
-from screwkit.mechanism.model import Parameter
+from screwkit.mechanism.graph import limbs
+from screwkit.mechanism.model import JointType, Parameter
 
 
 def test_labels_and_blocks_of_two_arms() -> None:
@@ -159,12 +160,22 @@ def test_a_parameter_may_be_an_angle_of_an_inverse_function() -> None:
     assert values["half"] == pytest.approx(0.6)
 
 
+def test_limbs_of_the_graph_serve_as_they_are() -> None:
+    paths = [limb.path or () for limb in limbs(nao())]
+    assert ("grasp_right", 1) in paths[0]
+    assert limb_paths(nao(), paths) == limb_paths(nao(), NAO_LIMBS)
+
+
 def test_wrong_limbs() -> None:
     mechanism = nao()
     with pytest.raises(UnknownNameError, match="did you mean '10'"):
         limb_paths(mechanism, [("1",), ("100",)])
-    with pytest.raises(UndecidedError, match="fixed"):
+    with pytest.raises(ValueError, match="moving joint"):
         limb_paths(mechanism, [("1",), ("grasp_left",)])
+    screw = dataclasses.replace(mechanism.joint("1"), type=JointType.HELICAL)
+    other = dataclasses.replace(mechanism, joints=(screw, *mechanism.joints[1:]))
+    with pytest.raises(UndecidedError, match="'1' is helical"):
+        limb_paths(other, NAO_LIMBS)
     with pytest.raises(ValueError, match="two limbs"):
         limb_paths(mechanism, [("1", "2")])
     with pytest.raises(ValueError, match="once"):
