@@ -1,0 +1,162 @@
+"""What is taken for granted about the symbols, and what follows for polynomials.
+
+Lengths are declared positive or nonzero; from that alone d3² + r3² cannot vanish.  A
+proof here reads signs off the terms, so a missing proof says nothing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import groupby
+from operator import itemgetter
+from typing import Any
+
+from flint import arb, ctx
+
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+
+
+@dataclass(frozen=True)
+class _Range:
+    """What is known of a number: sign (0 where unknown) and whether it can be 0.
+
+    A sign of 1 without ``strict`` means ≥ 0.
+    """
+
+    sign: int
+    strict: bool
+
+    def times(self, other: _Range) -> _Range:
+        return _Range(self.sign * other.sign, self.strict and other.strict)
+
+    def power(self, exponent: int) -> _Range:
+        return _Range(self.sign if exponent % 2 else 1, self.strict)
+
+
+_UNKNOWN = _Range(0, False)
+_ONE = _Range(1, True)
+
+
+@dataclass(frozen=True)
+class Assumptions:
+    """Signs of symbols.
+
+    Attributes:
+        positive: Symbols that are > 0.
+        nonzero: Symbols that are not 0; positive ones need not be repeated.
+    """
+
+    positive: frozenset[str] = frozenset()
+    nonzero: frozenset[str] = frozenset()
+
+    def is_nonzero(self, ring: TrigonometricRing, polynomial: Polynomial) -> bool:
+        """Whether a proof was found that the polynomial vanishes at no real point.
+
+        Args:
+            ring: Of the polynomial.
+            polynomial: In normal form.
+        """
+        if polynomial == 0:
+            return False
+        common = polynomial.term_content()
+        known = self._known(ring)
+        for generator, exponent in zip(known, common.monoms()[0], strict=True):
+            if exponent and not generator.strict:
+                return False
+        return self._range(ring, polynomial / common, known).strict
+
+    def sign_of(self, ring: TrigonometricRing, polynomial: Polynomial) -> int | None:
+        """1 or −1 where the polynomial has this sign everywhere, 0 for zero.
+
+        Returns:
+            None where no proof was found.
+        """
+        if polynomial == 0:
+            return 0
+        found = self._range(ring, polynomial, self._known(ring))
+        return found.sign if found.strict and found.sign else None
+
+    def _known(self, ring: TrigonometricRing) -> list[_Range]:
+        """What is known of each generator."""
+        known = [_UNKNOWN] * len(ring.names)
+        for place, name in zip(ring.symbol_indices(), ring.symbols, strict=True):
+            if name in self.positive:
+                known[place] = _ONE
+            elif name in self.nonzero:
+                known[place] = _Range(0, True)
+        for place, relation in ring.algebraic_relations():
+            if isinstance(relation, tuple):
+                known[place] = _ONE  # √p and 2cos(π/n) with n > 2
+            else:
+                radicand = self._range(ring, relation, known)
+                known[place] = _Range(1, radicand.strict)
+        for place, extension in enumerate(ring.extensions):
+            if extension.kind == "inverse":
+                known[place] = _Range(0, True)
+        return known
+
+    def _range(
+        self, ring: TrigonometricRing, polynomial: Polynomial, known: list[_Range]
+    ) -> _Range:
+        """What the terms say: all of one sign, and one of them not zero."""
+        total: _Range | None = None
+        for sign, monomial in _terms(ring, polynomial):
+            term = _Range(sign, True)
+            for generator, exponent in zip(known, monomial, strict=True):
+                if exponent:
+                    term = term.times(generator.power(exponent))
+            if total is None:
+                total = term
+            elif not term.sign or term.sign != total.sign:
+                return _UNKNOWN
+            else:
+                total = _Range(total.sign, total.strict or term.strict)
+        return total or _UNKNOWN
+
+
+def _terms(
+    ring: TrigonometricRing, polynomial: Polynomial
+) -> list[tuple[int, tuple[int, ...]]]:
+    """(sign of the coefficient, monomial), algebraic numbers in the coefficient."""
+    first = len(ring.names) - len(ring.constant_generators)
+    size = len(ring.constant_generators)
+    parts = [
+        (tuple(map(int, e[:first])), tuple(map(int, e[first:])), c)
+        for e, c in zip(polynomial.monoms(), polynomial.coeffs(), strict=True)
+    ]
+    if not size:
+        return [(1 if c > 0 else -1, e) for e, _, c in parts]
+    parts.sort(key=itemgetter(0, 1))
+    return [
+        (_sign([(k, c) for _, k, c in group], ring), monomial + (0,) * size)
+        for monomial, group in groupby(parts, key=itemgetter(0))
+    ]
+
+
+def _sign(terms: list[tuple[tuple[int, ...], Any]], ring: TrigonometricRing) -> int:
+    """The sign of a real algebraic number, which is not 0 in normal form."""
+    precision = ctx.prec
+    try:
+        while True:
+            values = [_constant(text) for text in ring.constant_generators.values()]
+            total = arb(0)
+            for exponents, coefficient in terms:
+                term = arb(coefficient.p) / arb(coefficient.q)
+                for value, exponent in zip(values, exponents, strict=True):
+                    term *= value**exponent
+                total += term
+            if total > 0:
+                return 1
+            if total < 0:
+                return -1
+            ctx.prec *= 2
+    finally:
+        ctx.prec = precision
+
+
+def _constant(text: str) -> Any:
+    """The ball of ``sqrt(3)`` or ``2*cos(pi/7)``."""
+    number = int("".join(filter(str.isdigit, text.removeprefix("2*"))))
+    if text.startswith("sqrt"):
+        return arb(number).sqrt()
+    return 2 * (arb.pi() / number).cos()

@@ -1,0 +1,229 @@
+"""Trigonometric polynomials as forms in sines and cosines of half angles.
+
+With u = sin(q/2) and v = cos(q/2) a polynomial of degree d in sin q and cos q is a form
+of degree 2d in u and v, and forms factor uniquely.  A factor of even degree in every
+angle is a polynomial in sin q and cos q again.  A factor of odd degree is paired with
+its image under q → q + π where that divides too; sin q = 2uv and cos q = (v + u)(v − u)
+are such pairs.  One that stays alone, such as a·sin(q/2) − d·cos(q/2), is a locus of
+its own that no single polynomial in sin q and cos q shows without a companion.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from flint import Ordering, fmpq_mpoly_ctx
+
+from screwkit.algebra.irreducible import Layout
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
+
+Degrees: TypeAlias = Mapping[int, int]  # by basis angle; absent ones do not occur
+Key: TypeAlias = tuple[str, tuple[tuple[int, int], ...]]
+
+
+@dataclass(frozen=True, eq=False)
+class Form:
+    """A form in u, v of some angles, written in t = u/v.
+
+    Attributes:
+        polynomial: In the context of `HalfAngles`; t of angle i is generator ``t<i>``.
+        degrees: In u and v together, by angle.
+    """
+
+    polynomial: Polynomial
+    degrees: Degrees
+
+    @property
+    def odd(self) -> tuple[int, ...]:
+        """The angles in which the degree is odd."""
+        return tuple(i for i, degree in sorted(self.degrees.items()) if degree % 2)
+
+    @property
+    def key(self) -> Key:
+        """What equal forms have in common."""
+        return str(self.polynomial), tuple(sorted(self.degrees.items()))
+
+
+class HalfAngles:
+    """Goes between a ring and the forms in half angles of its basis angles."""
+
+    def __init__(self, ring: TrigonometricRing, layout: Layout) -> None:
+        self._ring = ring
+        self._angles = layout.angles
+        self._size = len(ring.names)
+        names = [*ring.names, *(f"t{i}" for i in range(len(layout.angles)))]
+        self._context = fmpq_mpoly_ctx.get(names, Ordering.lex)
+        gens = self._context.gens()
+        self._one = self._context.constant(1)
+        self._pairs = [(gens[s], gens[c]) for s, c in layout.angles]
+        self._tangents = gens[self._size :]
+
+    def degrees(self, polynomial: Polynomial) -> dict[int, int]:
+        """The degree in sine and cosine together of every angle that occurs."""
+        bounds = polynomial.degrees()
+        exponents = polynomial.monoms()
+        return {
+            i: max(e[s] + e[c] for e in exponents)
+            for i, (s, c) in enumerate(self._angles)
+            if bounds[s] or bounds[c]
+        }
+
+    def form(self, polynomial: Polynomial, angles: Iterable[int]) -> Form:
+        """The polynomial with these angles, which must occur in it, halved."""
+        degrees = self.degrees(polynomial)
+        halved = polynomial.project_to_context(self._context)
+        chosen = {i: 2 * degrees[i] for i in angles}
+        for i, degree in chosen.items():
+            s, c = self._angles[i]
+            t = self._tangents[i]
+            sine, cosine, unit = 2 * t, 1 - t**2, 1 + t**2
+            halved = self._sum(
+                part * sine**a * cosine**b * unit ** (degree // 2 - a - b)
+                for (a, b), part in self._slices(halved, (s, c)).items()
+            )
+        return Form(halved, chosen)
+
+    def whole(self, form: Form) -> Polynomial:
+        """The primitive polynomial in normal form of a form of even degrees."""
+        return primitive(self.exact(form))
+
+    def exact(self, form: Form) -> Polynomial:
+        """The value, in normal form, of a form of even degrees."""
+        polynomial = form.polynomial
+        for i, degree in form.degrees.items():
+            s, c = self._pairs[i]
+            half = degree // 2
+            polynomial = self._sum(
+                part
+                * (1 - c) ** (k // 2)
+                * (1 + c) ** (half - (k + 1) // 2)
+                * (s if k % 2 else 1)
+                for (k,), part in self._slices(polynomial, (self._size + i,)).items()
+            )
+        value = polynomial.project_to_context(self._ring.context)
+        return self._ring.normal(value) / 2 ** (sum(form.degrees.values()) // 2)
+
+    def factor(self, form: Form) -> list[tuple[Form, int]]:
+        """The irreducible factors of a form, those that vanish at t = ∞ included."""
+        parts = []
+        left = dict(form.degrees)
+        for factor, multiplicity in form.polynomial.factor()[1]:
+            bounds = factor.degrees()
+            degrees = {
+                i: int(bounds[self._size + i])
+                for i in form.degrees
+                if bounds[self._size + i]
+            }
+            parts.append((Form(primitive(factor), degrees), int(multiplicity)))
+            for i, degree in degrees.items():
+                left[i] -= degree * int(multiplicity)
+        parts += [
+            (Form(self._one, {i: 1}), degree) for i, degree in left.items() if degree
+        ]
+        return parts
+
+    def paired(self, parts: Sequence[tuple[Form, int]]) -> list[tuple[Form, int]]:
+        """Odd factors times their images under q → q + π, where all of them divide."""
+        count = {form.key: multiplicity for form, multiplicity in parts}
+        result = []
+        for form, _ in parts:
+            if form.odd:
+                orbit = self._orbit(form)
+                shared = min(count.get(key, 0) for key in orbit)
+                if shared and len(orbit) > 1:
+                    for key in orbit:
+                        count[key] -= shared
+                    result.append((self.product(orbit.values()), shared))
+            else:
+                result.append((form, count.pop(form.key)))
+        result += [(f, count[f.key]) for f, _ in parts if f.odd and count[f.key]]
+        return result
+
+    def product(self, forms: Iterable[Form]) -> Form:
+        """The product of forms."""
+        polynomial, degrees = self._one, dict[int, int]()
+        for form in forms:
+            polynomial = polynomial * form.polynomial
+            for i, degree in form.degrees.items():
+                degrees[i] = degrees.get(i, 0) + degree
+        return Form(polynomial, degrees)
+
+    def equations(self, form: Form) -> tuple[Polynomial, ...]:
+        """Polynomials whose common zeros are those of a form.
+
+        A form of odd degree is multiplied by the cosine and by the sine of half the
+        sum of its odd angles, which have no common zero.
+        """
+        if not form.odd:
+            return (self.whole(form),)
+        cosine, sine = self._one, self._one - self._one
+        for i in form.odd:
+            t = self._tangents[i]
+            cosine, sine = cosine - sine * t, sine + cosine * t
+        whole = [
+            self.whole(self.product((form, Form(factor, dict.fromkeys(form.odd, 1)))))
+            for factor in (sine, cosine)
+        ]
+        return tuple(sorted(whole, key=lambda p: (len(p), str(p))))
+
+    def value(
+        self, form: Form, halves: Sequence[tuple[int, int]], rest: Sequence[int]
+    ) -> int:
+        """The integer value of a form with integer coefficients.
+
+        Args:
+            form: All of its angles halved.
+            halves: (u, v) by basis angle.
+            rest: Integer values of all generators of the ring.
+        """
+        total = 0
+        places = [(self._size + i, i, degree) for i, degree in form.degrees.items()]
+        symbols = [
+            k for k, d in enumerate(form.polynomial.degrees()[: self._size]) if d
+        ]
+        for exponents, coefficient in form.polynomial.to_dict().items():
+            term = int(coefficient)
+            for place, i, degree in places:
+                u, v = halves[i]
+                k = int(exponents[place])
+                term *= u**k * v ** (degree - k)
+            for k in symbols:
+                term *= rest[k] ** int(exponents[k])
+            total += term
+        return total
+
+    def _orbit(self, form: Form) -> dict[Key, Form]:
+        orbit: dict[Key, Form] = {form.key: form}
+        for i in form.odd:
+            for known in list(orbit.values()):
+                image = self._turned(known, i)
+                orbit.setdefault(image.key, image)
+        return orbit
+
+    def _turned(self, form: Form, angle: int) -> Form:
+        """The image under q → q + π, where u becomes v and v becomes −u."""
+        place, degree = self._size + angle, form.degrees[angle]
+        terms = {}
+        for exponents, coefficient in form.polynomial.to_dict().items():
+            k = int(exponents[place])
+            moved = (*exponents[:place], degree - k, *exponents[place + 1 :])
+            terms[moved] = -coefficient if (degree - k) % 2 else coefficient
+        return Form(primitive(self._context.from_dict(terms)), form.degrees)
+
+    def _slices(
+        self, polynomial: Polynomial, places: tuple[int, ...]
+    ) -> dict[tuple[int, ...], Polynomial]:
+        """The coefficients of a polynomial with respect to some generators."""
+        parts: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
+        for exponents, coefficient in polynomial.to_dict().items():
+            rest = list(exponents)
+            for place in places:
+                rest[place] = 0
+            key = tuple(int(exponents[place]) for place in places)
+            parts.setdefault(key, {})[tuple(rest)] = coefficient
+        return {k: self._context.from_dict(terms) for k, terms in parts.items()}
+
+    def _sum(self, terms: Iterable[Polynomial]) -> Polynomial:
+        return sum(terms, self._context.constant(0))

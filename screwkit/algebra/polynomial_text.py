@@ -1,0 +1,174 @@
+"""Exact polynomials as text of the expression grammar, straight from FLINT.
+
+Terms are ordered by degree and then by their symbols, r3 before d3, as the literature
+tends to write; within a term come the number, constants, lengths, and the cosines and
+sines in the order of the joints.  Angles are merged first (`angles`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from operator import itemgetter
+from weakref import WeakKeyDictionary
+
+from screwkit.algebra.angles import Form, merged, natural
+from screwkit.algebra.expression import Expression
+from screwkit.algebra.parse import parse
+from screwkit.algebra.text import expression_text
+from screwkit.algebra.trigonometric import (
+    Polynomial,
+    TrigonometricRing,
+    as_fraction,
+)
+
+
+def text(ring: TrigonometricRing, polynomial: Polynomial) -> str:
+    """A polynomial in normal form, sign included: ``2*r1*cos(q2) + d3``."""
+    return _printer(ring).text(polynomial, sign_matters=True)
+
+
+def equation_text(ring: TrigonometricRing, polynomial: Polynomial) -> str:
+    """The left side of ``polynomial = 0``: up to a sign, so that the first is plus."""
+    return _printer(ring).text(polynomial, sign_matters=False)
+
+
+def to_expression(ring: TrigonometricRing, polynomial: Polynomial) -> Expression:
+    """A polynomial in normal form as an expression."""
+    return parse(text(ring, polynomial))
+
+
+class PolynomialPrinter:
+    """Writes polynomials of one ring and remembers what it has written."""
+
+    def __init__(self, ring: TrigonometricRing) -> None:
+        self._ring = ring
+        self._written: dict[tuple[str, bool], str] = {}
+        count = len(ring.basis)
+        self._constants = [ring.names.index(name) for name in ring.constant_generators]
+        self._names = [""] * len(ring.names)
+        for name, written in ring.constant_generators.items():
+            self._names[ring.names.index(name)] = written
+        for extension in ring.extensions:
+            inside = expression_text(extension.of)
+            self._names[ring.names.index(extension.name)] = (
+                f"sqrt({inside})" if extension.kind == "root" else f"({inside})^(-1)"
+            )
+        symbols = sorted(
+            zip(ring.symbol_indices(), ring.symbols, strict=True),
+            key=lambda pair: _length_order(pair[1]),
+        )
+        for place, name in symbols:
+            self._names[place] = name
+        self._fixed = [
+            *self._constants,
+            *(place for place, _ in symbols),
+            *range(len(ring.extensions)),
+        ]
+        self._angles = [
+            (ring.sine_index(i), ring.cosine_index(i)) for i in range(count)
+        ]
+
+    def text(self, polynomial: Polynomial, sign_matters: bool) -> str:
+        """See `text` and `equation_text`."""
+        if polynomial.is_constant():
+            return str(as_fraction(polynomial))
+        key = str(polynomial), sign_matters
+        if key not in self._written:
+            self._written[key] = self._write(polynomial, sign_matters)
+        return self._written[key]
+
+    def _write(self, polynomial: Polynomial, sign_matters: bool) -> str:
+        short = merged(self._ring, polynomial)
+        value = short.polynomial
+        if value.is_constant():
+            return str(as_fraction(value))
+        degrees = value.degrees()
+        names = list(self._names)
+        angles = [
+            i for i, (s, c) in enumerate(self._angles) if degrees[s] or degrees[c]
+        ]
+        angles.sort(key=lambda i: _angle_order(short.forms[i]))
+        order = [place for place in self._fixed if degrees[place]]
+        for i in angles:
+            argument = angle_text(short.forms[i])
+            sine, cosine = self._angles[i]
+            if i in short.exchanged:
+                sine, cosine = cosine, sine
+            names[cosine], names[sine] = f"cos({argument})", f"sin({argument})"
+            order += [place for place in (cosine, sine) if degrees[place]]
+        return self._sum(value, order, names, sign_matters)
+
+    def _sum(
+        self,
+        polynomial: Polynomial,
+        order: Sequence[int],
+        names: Sequence[str],
+        sign_matters: bool,
+    ) -> str:
+        chosen = itemgetter(*order, order[0])  # repeated: always a tuple
+        monomials = [chosen(exponents) for exponents in polynomial.monoms()]
+        skipped = sum(place in self._constants for place in order)
+        terms = sorted(
+            (
+                (sum(e[skipped:-1]), e[skipped:-1], e, c)
+                for e, c in zip(monomials, polynomial.coeffs(), strict=True)
+            ),
+            key=itemgetter(0, 1, 2),
+            reverse=True,
+        )
+        written = [names[place] for place in order]
+        flip = not sign_matters and terms[0][3] < 0
+        pieces = []
+        for _, _, exponents, coefficient in terms:
+            factors = [
+                name if e == 1 else f"{name}^{e}"
+                for name, e in zip(written, exponents, strict=False)
+                if e
+            ]
+            negative = (coefficient < 0) != flip
+            numerator, denominator = abs(int(coefficient.p)), int(coefficient.q)
+            if numerator != 1 or not factors:
+                factors.insert(0, str(numerator))
+            term = "*".join(factors)
+            if denominator != 1:
+                term += f"/{denominator}"
+            pieces.append((" - " if negative else " + ") + term)
+        joined = "".join(pieces)
+        return joined[3:] if joined.startswith(" + ") else f"-{joined[3:]}"
+
+
+def angle_text(form: Form) -> str:
+    """``q6 - q1``."""
+    pieces = []
+    for name, count in form:
+        size = "" if abs(count) == 1 else f"{abs(count)}*"
+        pieces.append(f"{' - ' if count < 0 else ' + '}{size}{name}")
+    joined = "".join(pieces)
+    return joined[3:] if joined.startswith(" + ") else f"-{joined[3:]}"
+
+
+def rational_text(value: Fraction) -> str:
+    """``-2/3``."""
+    return str(value)
+
+
+def _length_order(name: str) -> tuple[tuple[int, ...], tuple[tuple[int, object], ...]]:
+    """Letters from z to a, numbers from 0 up: r1, r3, d3."""
+    letters = name.rstrip("0123456789_")
+    return tuple(-ord(letter) for letter in letters), natural(name[len(letters) :])
+
+
+def _angle_order(form: Form) -> tuple[int, object]:
+    """Single angles in the order of their names, then sums."""
+    return len(form), [natural(name) for name, _ in form]
+
+
+_PRINTERS: WeakKeyDictionary[TrigonometricRing, PolynomialPrinter] = WeakKeyDictionary()
+
+
+def _printer(ring: TrigonometricRing) -> PolynomialPrinter:
+    printer = _PRINTERS.get(ring)
+    if printer is None:
+        printer = _PRINTERS[ring] = PolynomialPrinter(ring)
+    return printer
