@@ -188,9 +188,9 @@ def _render(block: Block, setting: _Setting) -> str:
                 rf"\bibitem{{{_label(entry.key)}}} {escape(entry.text)}"
                 for entry in entries
             ]
-            items = "\n".join(entry_lines)
+            listed = "\n".join(entry_lines)
             return (
-                f"\\begin{{thebibliography}}{{99}}\n{items}\n\\end{{thebibliography}}"
+                f"\\begin{{thebibliography}}{{99}}\n{listed}\n\\end{{thebibliography}}"
             )
         case _:
             assert_never(block)

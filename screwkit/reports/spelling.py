@@ -143,7 +143,8 @@ class _Latex:
 
     def times(self, left: str, right: str) -> str:
         gap = r"\," if right.startswith("(") or left[-1].isdigit() else ""
-        return f"{left}{gap}{' ' if left[-1].isalpha() else ''}{right}"
+        apart = " " if left[-1].isalpha() and right[0].isalpha() else ""
+        return f"{left}{gap}{apart}{right}"
 
     def root(self, inside: str, level: int) -> tuple[str, int]:
         return rf"\sqrt{{{inside}}}", ATOM

@@ -1,0 +1,58 @@
+"""Analyses that answer at once, never, or by dying: what the guard is tested on."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from reports import samples
+
+from screwkit.errors import Fault, MechanismFileError, TooLargeError
+
+Progress = Callable[..., None]
+
+
+def quick(_case: object) -> Any:
+    return samples.MOBILITY
+
+
+def noisy(_case: object, progress: Progress) -> Any:
+    print("a library talks")  # noqa: T201
+    progress("expanding minors", "6 x 10")
+    return samples.SCHEMES
+
+
+def slow(_case: object, progress: Progress, finished: Progress, witness: str) -> Any:
+    child = subprocess.Popen(["sleep", "60"])
+    Path(witness).write_text(str(child.pid), encoding="ascii")
+    finished("description", samples.DESCRIPTION)
+    finished("mobility", samples.MOBILITY)
+    progress("expanding minors", "6 x 10")
+    time.sleep(60)
+
+
+def dies(_case: object) -> None:
+    os.abort()
+
+
+def greedy(_case: object) -> int:
+    return len(bytearray(1 << 34))
+
+
+def too_large(_case: object) -> None:
+    raise TooLargeError("15 million terms; try --set some of the dimensions")
+
+
+def wrong_file(_case: object) -> None:
+    raise MechanismFileError(
+        "arm.yaml",
+        (Fault(14, 38, "unknown name 'd_3'"), Fault(22, 12, "the axis is zero")),
+    )
+
+
+def defective(_case: object) -> None:
+    raise RuntimeError("a defect")

@@ -1,0 +1,99 @@
+"""Answers in the terminal: the facts are there, aligned, within the width."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from reports import samples
+
+from screwkit.reports.sections import CaseEntry, CaseList, answer_blocks
+from screwkit.reports.text import Page, render
+
+EVERY = [
+    samples.MOBILITY,
+    samples.SCREWS,
+    samples.SINGULARITIES,
+    samples.SCHEMES,
+    samples.ANALYSIS,
+    samples.REFUSED,
+]
+
+
+def shown(result: Any, **page: Any) -> str:
+    return render(answer_blocks(result), Page(**page))
+
+
+@pytest.mark.parametrize("result", EVERY, ids=lambda r: type(r).__name__)
+def test_lines_fit_and_carry_no_control_characters(result: Any) -> None:
+    for line in shown(result).splitlines():
+        assert len(line) <= 100
+        assert line == line.rstrip()
+        assert line.isprintable()
+
+
+def test_mobility_answers_first() -> None:
+    lines = shown(samples.MOBILITY).splitlines()
+    assert lines[0].split("  ")[0] == samples.TITLE
+    assert lines[0].endswith("nao_t14")
+    assert lines[3] == "  the platform has 4 freedoms: 1T3R, in general"
+    text = "\n".join(lines)
+    assert "Moroskine         10 − rank Jc = 10 − 6" in text
+    assert "q6 = q1 (mod π)                           1T3R   they meet" in text
+    assert "2T2R   they are parallel" in text
+
+
+def test_singularities_are_numbered_through_and_refer_to_each_other() -> None:
+    text = shown(samples.SINGULARITIES)
+    assert "1  q4 = 0, π                  rank 4   axes 3 and 5 are one line" in text
+    assert "r3 cos q2 + d3 sin q2 = 0" in text
+    assert "1 and 2 with cos q3 = 0:  rank 3" in text
+    assert "5  2 and 4" in text
+    assert "7  4, q4 = 0, π, q3 = ±π/2" in text
+    assert "11  q2 = atan(−r3/d3) (mod π)" in text
+    assert "see 2" in text
+    assert "undecided whether this is all" in text
+    assert "idle only (the platform stays fixed): q9 = 0, π" in text
+
+
+def test_schemes_give_counts_reasons_and_products() -> None:
+    text = shown(samples.SCHEMES)
+    assert "210 ways to actuate 4 freedoms: 139 admissible; of the 100" in text
+    assert "cos(q6 − q1) · sin q4 · (r3 cos q2 + d3 sin q2)²" in text
+    assert "(60 terms, see --json)" in " ".join(text.split())
+    assert "q59" not in text
+
+
+def test_an_inadmissible_declaration_says_why() -> None:
+    actuation = samples.SINGULARITIES.actuation
+    assert actuation is not None
+    refused = replace(
+        actuation, admissible=False, components=(), witness="all forces meet A B"
+    )
+    text = shown(replace(samples.SINGULARITIES, actuation=refused))
+    assert "not admissible, it always can: all forces meet A B" in text
+
+
+def test_special_values_are_pointed_out() -> None:
+    values = samples.MOBILITY.at_values
+    assert values is not None
+    special = replace(values, differences=("loop rank 5, not 6: axes 3 and 5 meet",))
+    text = shown(replace(samples.MOBILITY, at_values=special))
+    assert "at the values of the file: loop rank 5, not 6" in text
+
+
+def test_undecided_says_why() -> None:
+    assert shown(samples.REFUSED).startswith("  undecided: expanding 6 wrenches")
+
+
+def test_bold_is_only_on_request() -> None:
+    assert "\x1b" not in shown(samples.MOBILITY)
+    assert "\x1b[1m1T3R" in shown(samples.MOBILITY, bold=True)
+
+
+def test_the_list_of_cases_is_a_table() -> None:
+    entry = CaseEntry("bennett", "Bennett linkage", "Bennett 1903", 4, 1)
+    head, row = shown(CaseList((entry,))).splitlines()
+    assert head.split() == ["case", "joints", "loops", "title", "source"]
+    assert row.split()[:3] == ["bennett", "4", "1"]

@@ -1,0 +1,263 @@
+"""The commands: exit codes, one document, one line an error, nothing heavy at start."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+from reports import samples
+
+from screwkit import cli, guard, terminal
+from screwkit.errors import Fault
+from screwkit.results.screws import Screws
+
+ROOT = Path(__file__).parent.parent
+ANSWERS = {
+    "mobility": samples.MOBILITY,
+    "screws": samples.SCREWS,
+    "singularities": samples.SINGULARITIES,
+    "schemes": samples.SCHEMES,
+    "analyze": samples.ANALYSIS,
+}
+
+
+class Answering:
+    """Stands for the engine: remembers the job and gives the prepared outcome."""
+
+    def __init__(self) -> None:
+        self.jobs: list[Any] = []
+        self.outcome: guard.Outcome | None = None
+
+    def __call__(self, job: Any, **_: Any) -> guard.Outcome:
+        self.jobs.append(job)
+        return self.outcome or guard.Answered(ANSWERS[job.question])
+
+
+@pytest.fixture
+def engine(monkeypatch: pytest.MonkeyPatch) -> Answering:
+    answering = Answering()
+    monkeypatch.setattr(terminal, "run", answering)
+    return answering
+
+
+def screwkit(*words: str) -> int:
+    with pytest.raises(SystemExit) as stop:
+        cli.main(list(words))
+    code = stop.value.code
+    assert isinstance(code, int)
+    return code
+
+
+def python(*words: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, *words],
+        capture_output=True,
+        text=True,
+        timeout=20,
+        check=False,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+    )
+
+
+@pytest.mark.usefixtures("engine")
+@pytest.mark.parametrize("command", ["mobility", "screws", "schemes"])
+def test_an_answer_is_0(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert screwkit(command, "nao_t14") == 0
+    output, errors = capsys.readouterr()
+    assert output.startswith(samples.TITLE)
+    assert not errors
+
+
+@pytest.mark.usefixtures("engine")
+@pytest.mark.parametrize("command", list(ANSWERS))
+def test_json_is_one_document(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    screwkit(command, "nao_t14", "--json")
+    document = json.loads(capsys.readouterr().out)
+    assert document["schema"] == "screwkit/1"
+    assert document["case"] == "nao_t14"
+    assert isinstance(document["version"], str)
+
+
+@pytest.mark.usefixtures("engine")
+def test_what_is_not_proved_complete_is_1() -> None:
+    assert screwkit("singularities", "nao_t14") == 1
+
+
+def test_a_scheme_that_is_not_admissible_is_1(engine: Answering) -> None:
+    answer = samples.SINGULARITIES
+    assert answer.actuation is not None
+    complete = replace(answer, constraint=replace(answer.constraint, complete=True))
+    engine.outcome = guard.Answered(complete)
+    assert screwkit("singularities", "nao_t14") == 0
+    refused = replace(answer.actuation, admissible=False, components=())
+    engine.outcome = guard.Answered(replace(complete, actuation=refused))
+    assert screwkit("singularities", "nao_t14") == 1
+
+
+def test_options_reach_the_job(engine: Answering) -> None:
+    values = ["--set", "d3=0.02", "--set", "r3=1/3"]
+    limits = ["--actuated", "1,2,3:0", "--memory", "2"]
+    screwkit("mobility", "arm.yaml", *values, *limits)
+    (job,) = engine.jobs
+    assert job.case == "arm.yaml"
+    assert job.set_values == {"d3": "0.02", "r3": "1/3"}
+    assert job.actuated == ("1", "2", "3:0")
+    assert job.memory == 2 << 30
+
+
+def test_options_of_schemes_reach_the_analysis(engine: Answering) -> None:
+    screwkit("schemes", "nao_t14", "--size", "5", "--candidates", "1,2,3")
+    assert engine.jobs[0].options == {"size": 5, "candidates": ["1", "2", "3"]}
+
+
+def test_a_wrong_file_is_3_with_all_faults(
+    engine: Answering, capsys: pytest.CaptureFixture[str]
+) -> None:
+    faults = (Fault(14, 38, "unknown name 'd_3'"), Fault(22, 12, "the axis is zero"))
+    engine.outcome = guard.Refused("file", "", source="arm.yaml", faults=faults)
+    assert screwkit("mobility", "arm.yaml", "--json") == 3
+    output, errors = capsys.readouterr()
+    assert errors.splitlines() == [
+        "arm.yaml:14:38  unknown name 'd_3'",
+        "arm.yaml:22:12  the axis is zero",
+        "2 errors; nothing was computed",
+    ]
+    assert json.loads(output)["error"]["faults"][1]["column"] == 12
+
+
+@pytest.mark.parametrize(
+    ("kind", "code"), [("usage", 2), ("tool", 5), ("undecided", 1), ("defect", 1)]
+)
+def test_refusals_have_their_codes(
+    kind: str, code: int, engine: Answering, capsys: pytest.CaptureFixture[str]
+) -> None:
+    engine.outcome = guard.Refused(kind, "because")
+    assert screwkit("mobility", "nao_t14", "--json") == code
+    document = json.loads(capsys.readouterr().out)
+    if kind == "undecided":
+        assert document["status"] == "undecided"
+        assert document["reason"] == "because"
+    else:
+        assert document["error"]["kind"] == kind
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["mobilty", "nao_t14"], "Did you mean 'mobility'"),
+        (["mobility"], "Missing argument"),
+        (["mobility", "nao_t14", "--set", "d3"], "is not NAME=VALUE"),
+        (["mobility", "nao_t14", "--at", "q2=0.3"], "comes with posture results"),
+        (["screws", "nao_t14", "--order", "odd"], "--order"),
+    ],
+)
+@pytest.mark.usefixtures("engine")
+def test_usage_is_2_in_one_line(
+    words: list[str], said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert screwkit(*words, "--json") == 2
+    output, errors = capsys.readouterr()
+    assert said in errors
+    assert len(errors.splitlines()) == 1
+    assert json.loads(output)["error"]["kind"] == "usage"
+
+
+def test_linear_order_swaps_both_halves(
+    engine: Answering, capsys: pytest.CaptureFixture[str]
+) -> None:
+    screwkit("screws", "nao_t14", "--order", "linear", "--json")
+    document = json.loads(capsys.readouterr().out)
+    assert document["order"] == "moment-direction"
+    twist = ["-b1", "0", "0", "0", "1", "0"]
+    assert document["limbs"][0]["twists"][0] == twist
+    assert isinstance(ANSWERS["screws"], Screws)
+    assert len(engine.jobs) == 1
+
+
+@pytest.mark.usefixtures("engine")
+@pytest.mark.parametrize("ending", [".tex", ".csv", ".json", ".txt"])
+def test_schemes_go_to_a_file(
+    ending: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / f"schemes{ending}"
+    assert screwkit("schemes", "nao_t14", "-o", str(path)) == 0
+    output, errors = capsys.readouterr()
+    assert not output
+    assert errors == f"wrote {path}\n"
+    assert "1" in path.read_text(encoding="utf-8")
+    assert [entry.name for entry in tmp_path.iterdir()] == [path.name]
+
+
+@pytest.mark.usefixtures("engine")
+def test_a_latex_report_has_fragments_and_results(tmp_path: Path) -> None:
+    path = tmp_path / "paper" / "arms.tex"
+    assert screwkit("report", "nao_t14", "-o", str(path), "--quiet") == 0
+    folder = path.parent
+    assert {entry.name for entry in folder.iterdir()} == {
+        "arms.tex",
+        "fragments",
+        "results.json",
+    }
+    assert (folder / "fragments" / "geometry.tex").exists()
+    results = json.loads((folder / "results.json").read_text(encoding="utf-8"))
+    assert results["question"] == "analyze"
+
+
+def test_partial_reports_are_4(engine: Answering, tmp_path: Path) -> None:
+    parts = (
+        ("description", samples.DESCRIPTION),
+        ("mobility", samples.MOBILITY),
+    )
+    stage = guard.Stage("expanding", "", 1.0)
+    engine.outcome = guard.Stopped("timeout", stage, parts)
+    path = tmp_path / "report.html"
+    words = ["--format", "html", "-o", str(path), "--timeout", "1"]
+    assert screwkit("report", "nao_t14", *words) == 4
+    assert "Undecided" in path.read_text(encoding="utf-8")
+
+
+def test_help_is_quick_and_light() -> None:
+    heavy = ("sympy", "flint", "networkx", "pydantic", "numpy", "scipy")
+    program = (
+        "import sys\n"
+        "from screwkit import cli\n"
+        "try:\n    cli.main(['--help'])\n"
+        "except SystemExit as stop:\n"
+        f"    loaded = [m for m in {heavy!r} if m in sys.modules]\n"
+        "    print('LOADED', loaded, stop.code)\n"
+    )
+    started = time.monotonic()
+    done = python("-c", program)
+    assert time.monotonic() - started < 2.0
+    assert "LOADED [] 0" in done.stdout
+    assert "screwkit mobility nao_t14" in done.stdout
+
+
+def test_a_closed_pipe_is_no_error() -> None:
+    command = f"{sys.executable} -m screwkit.cli doctor | head -n 1"
+    done = subprocess.run(
+        command,
+        shell=True,
+        capture_output=True,
+        text=True,
+        timeout=20,
+        check=False,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+    )
+    assert done.stdout.startswith("python")
+    assert not done.stderr
+
+
+def test_doctor_and_schema_answer_in_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert screwkit("doctor", "--json") == 0
+    tools = json.loads(capsys.readouterr().out)["tools"]
+    assert {"python", "pdflatex", "msolve"} <= {tool["name"] for tool in tools}
+    assert screwkit("schema", "results") == 0
+    assert json.loads(capsys.readouterr().out)["$defs"]["Mobility"]
