@@ -1,0 +1,1 @@
+"""Mechanisms: files, their model, and the graph of links and joints."""

@@ -108,7 +108,7 @@ def _resolved(
             joint, index = by_name[stem], int(digits[:3])
     if joint is None:
         lost = {raw.get("name") for raw in draft.lost_joints if isinstance(raw, dict)}
-        if label.rpartition(":")[0] not in lost and label not in lost:
+        if not {label, label.rpartition(":")[0]} & (lost - {""}):
             near = did_you_mean(label, by_name)
             reading.fault(path, f"unknown joint {shown(label)}{near}")
         return None

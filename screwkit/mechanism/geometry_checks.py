@@ -196,7 +196,8 @@ def check_antecedents(
 
 
 def _places(joint: Joint) -> bool:
-    return joint.mdh is not None or joint.type in RIGID
+    """Whether the child's frame follows; a row that is missing is another fault."""
+    return joint.type in MDH_TYPES | RIGID
 
 
 def _placed_bodies(joints: Iterable[Joint], entry: MechanismEntry) -> set[str]:

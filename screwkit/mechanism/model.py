@@ -111,7 +111,8 @@ class Claim:
     """One expected value of a case.
 
     Attributes:
-        question: Dotted path into the JSON results, ``mobility.loop_rank``.
+        question: Dotted path into the JSON results, ``mobility.loop_rank``; positions
+            in lists are numbers from 0, and ``#word`` tells claims on one path apart.
         value: Plain data as written in the file.
         status: ``published``, ``derived`` or ``regression``.
         source: Where the value comes from, or the argument for it.

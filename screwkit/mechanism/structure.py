@@ -126,6 +126,8 @@ def _remainder(
                 if isinstance(content.get(key), dict):
                     content[key].pop(name, None)
                 lost_names.add(name)
+            case ("weights", str(key), *_):
+                content["weights"].pop(key, None)
             case (str(key), *_):
                 content.pop(key, None)
                 broken.add(key)

@@ -133,6 +133,8 @@ def read_variables(
                     f"the joint {declared} the variable {name!r}, which is also a "
                     f"parameter; give it another `variable`",
                 )
+            elif owners.get(name) == entry.name and not entry.variable:
+                pass  # two joints of one name: that is the fault, reported as such
             elif name in owners:
                 reading.fault(
                     path,
