@@ -107,8 +107,7 @@ def _resolved(
         if colon and digits.isascii() and digits.isdigit() and stem in by_name:
             joint, index = by_name[stem], int(digits[:3])
     if joint is None:
-        lost = {raw.get("name") for raw in draft.lost_joints if isinstance(raw, dict)}
-        if not {label, label.rpartition(":")[0]} & (lost - {""}):
+        if not {label, label.rpartition(":")[0]} & draft.lost("name"):
             near = did_you_mean(label, by_name)
             reading.fault(path, f"unknown joint {shown(label)}{near}")
         return None

@@ -133,14 +133,9 @@ def check_links(draft: Draft, reading: Reading) -> None:
 
 def _variables_of_lost(draft: Draft) -> frozenset[str]:
     """What joints at fault would have declared; so that their use is no fault."""
-    found: set[str] = set()
-    for raw in draft.lost_joints:
-        if not isinstance(raw, dict):
-            continue
-        declared = raw.get("variable")
-        found |= {declared} if isinstance(declared, str) else set()
-        if isinstance(name := raw.get("name"), str):
-            found |= {*default_variables(name, 0, 1), *default_variables(name, 0, 3)}
+    found = set(draft.lost("variable"))
+    for name in draft.lost("name"):
+        found |= {*default_variables(name, 0, 1), *default_variables(name, 0, 3)}
     return frozenset(found)
 
 

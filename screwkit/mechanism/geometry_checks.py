@@ -172,8 +172,7 @@ def check_antecedents(
     entry = draft.entry
     if entry.geometry != "mdh" or draft.broken & {"geometry", "joints", "base"}:
         return
-    lost = {str(raw.get("child")) for raw in draft.lost_joints if isinstance(raw, dict)}
-    placed = _placed_bodies(joints, entry) | lost
+    placed = _placed_bodies(joints, entry) | draft.lost("child")
     children = {joint.child for joint in joints if _places(joint)}
     for joint, position in zip(joints, positions, strict=True):
         if joint.mdh is None or joint.parent in placed:

@@ -13,8 +13,8 @@ from screwkit.mechanism.structure import Draft
 def check_limb_names(mechanism: Mechanism, draft: Draft, reading: Reading) -> None:
     """Report unknown joints, and lists that are not the joints of one limb."""
     by_name = {joint.name: joint for joint in mechanism.joints}
-    lost = {raw.get("name") for raw in draft.lost_joints if isinstance(raw, dict)}
-    sound = not draft.broken and not lost and not reading.faults.found
+    lost = draft.lost("name")
+    sound = not draft.broken and not draft.lost_joints and not reading.faults.found
     owners: dict[str, str] = {}
     for limb_name, names in mechanism.limb_names.items():
         for position, name in enumerate(names):

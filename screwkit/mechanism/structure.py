@@ -70,6 +70,11 @@ class Draft:
     lost_joints: tuple[Any, ...]
     lost_names: frozenset[str]
 
+    def lost(self, key: str) -> frozenset[str]:
+        """What the joints that were taken out say under ``key``, where it is text."""
+        values = (raw.get(key) for raw in self.lost_joints if isinstance(raw, dict))
+        return frozenset(value for value in values if isinstance(value, str) and value)
+
 
 def draft_of(root: Node, faults: Faults) -> Draft | None:
     """Validate a tree; what is wrong goes to ``faults``.

@@ -6,6 +6,7 @@ find exactly these.
 
 from __future__ import annotations
 
+import random
 import re
 import time
 from collections.abc import Callable
@@ -188,3 +189,29 @@ def test_no_missing_line_ends_in_a_traceback(line: int) -> None:
 def test_no_truncation_ends_in_a_traceback(length: int) -> None:
     with suppress(MechanismFileError):
         mechanism_from_text(FOUR_BAR[:length], "cut")
+
+
+_PIECES = [
+    *("[", "]", "{", "}", ",", ":", "-", "\n", '"', "'", "(", ")", "*", "&", "!", "|"),
+    *("", "0", "true", "null", "[]", "{}", "cross(", "mdh", "planar", "spherical", "#"),
+]
+
+
+@pytest.mark.parametrize("path", [*BAD, HERE / "four_bar.yaml"], ids=lambda p: p.stem)
+def test_no_slip_of_the_pen_ends_in_a_traceback(path: Path) -> None:
+    original = path.read_text(encoding="utf-8").split("# fault")[0]
+    words = [match.span() for match in re.finditer(r"[\w.]+|\[[^\[\]]*\]", original)]
+    chance = random.Random(path.stem)
+    for _ in range(120):
+        start, end = chance.choice(words)
+        text = original[:start] + chance.choice(_PIECES) + original[end:]
+        with suppress(MechanismFileError):
+            mechanism_from_text(text, "slip")
+
+
+def test_a_joint_whose_name_is_a_list() -> None:
+    text = FOUR_BAR.replace("name: C", "name: []") + "limbs: {all: [A, C]}\n"
+    with pytest.raises(
+        MechanismFileError, match=r"12:12  .*name is expected, but a li"
+    ):
+        mechanism_from_text(text, "four_bar.yaml")
