@@ -8,13 +8,25 @@ reach of Ctrl-C.
 from __future__ import annotations
 
 import sys
-from enum import StrEnum
 from pathlib import Path
 from typing import Annotated, Any, NoReturn
 
 import typer
 
 from screwkit import errors
+from screwkit.options import (
+    Actuated,
+    AsJson,
+    At,
+    CaseName,
+    Format,
+    Memory,
+    Order,
+    Quiet,
+    Setting,
+    Timeout,
+    Which,
+)
 
 _DEBUG = "--debug"
 _EXAMPLE = """Mobility, singularities and actuation of mechanisms, derived exactly.
@@ -38,54 +50,6 @@ app = typer.Typer(
     no_args_is_help=True,
     help=_EXAMPLE,
 )
-
-
-class Order(StrEnum):
-    """Which half of a screw is printed first."""
-
-    DIRECTION = "direction"
-    LINEAR = "linear"
-
-
-class Format(StrEnum):
-    """What a report is written as."""
-
-    LATEX = "latex"
-    PDF = "pdf"
-    HTML = "html"
-
-
-class Which(StrEnum):
-    """Whose JSON Schema is wanted."""
-
-    BOTH = "both"
-    MECHANISM = "mechanism"
-    RESULTS = "results"
-
-
-CaseName = Annotated[str, typer.Argument(metavar="CASE", help="File or bundled case.")]
-AsJson = Annotated[bool, typer.Option("--json", help="One JSON document.")]
-Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no notes.")]
-Setting = Annotated[
-    list[str] | None,
-    typer.Option("--set", metavar="NAME=VALUE", help="A number for a symbol."),
-]
-Actuated = Annotated[
-    str | None,
-    typer.Option(metavar="1,2,3,7", help="Replaces the declared actuated joints."),
-]
-Timeout = Annotated[
-    float | None,
-    typer.Option(metavar="SECONDS", min=0.0, help="Give up after this long."),
-]
-Memory = Annotated[
-    float | None,
-    typer.Option(metavar="GB", min=0.1, help="Address space for the exact work."),
-]
-At = Annotated[
-    list[str] | None,
-    typer.Option(metavar="NAME=VALUE", help="Posture, for posture results."),
-]
 
 
 def _request(question: str, given: dict[str, Any], **options: Any) -> Any:

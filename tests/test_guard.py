@@ -132,7 +132,7 @@ def test_a_signal_ends_everything_with_130(
         output, errors = process.communicate(timeout=5)
     assert time.monotonic() - sent < 2
     assert process.returncode == 130
-    assert "the platform has 4 freedoms: 1T3R" in output
+    assert "the object has 4 freedoms: 1T3R" in output
     assert "undecided: interrupted (expanding minors, 6 x 10)" in output
     assert "Traceback" not in errors
     assert gone(grandchild)

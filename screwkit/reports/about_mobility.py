@@ -19,7 +19,7 @@ from screwkit.reports.blocks import (
     prose,
     words,
 )
-from screwkit.reports.phrases import counted, signed
+from screwkit.reports.phrases import counted, platform_called, signed
 from screwkit.results.mobility import (
     Actuation,
     FullCycle,
@@ -38,7 +38,7 @@ def mobility_blocks(answer: Mobility) -> tuple[Block, ...]:
     ]
     if len(answer.platform.cases) > 1:
         blocks += [
-            Heading(words("motion of the platform"), 2),
+            Heading(words(f"motion of {platform_called(answer.platform_name)}"), 2),
             motion_listing(answer.platform),
         ]
     closing = [full_cycle(answer.full_cycle)]
@@ -69,10 +69,11 @@ def topology_line(topology: Topology) -> str:
 def freedoms(answer: Mobility) -> tuple[Text, ...]:
     """The answer in two sentences."""
     platform = answer.platform
-    of_platform: Text = (Words("the platform has no freedom, in general"),)
+    name = platform_called(answer.platform_name)
+    of_platform: Text = (Words(f"{name} has no freedom, in general"),)
     if platform.twist_dimension:
         of_platform = (
-            Words("the platform has "),
+            Words(f"{name} has "),
             Strong(counted(platform.twist_dimension, "freedom")),
             Words(": "),
             Strong(platform.motion_type),
@@ -89,7 +90,10 @@ def freedoms(answer: Mobility) -> tuple[Text, ...]:
 def idle(answer: Mobility) -> str:
     """How many freedoms leave the platform where it is."""
     number = answer.partition.redundancy
-    return "none is idle" if not number else f"{number} leave the platform at rest"
+    if not number:
+        return "none is idle"
+    verb = "leaves" if number == 1 else "leave"
+    return f"{number} {verb} {platform_called(answer.platform_name)} at rest"
 
 
 def redundant(number: int) -> str:

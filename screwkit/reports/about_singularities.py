@@ -22,6 +22,7 @@ from screwkit.reports.conditions import (
     condition,
     matched,
     numbered,
+    numbered_alone,
     solution_text,
 )
 from screwkit.reports.phrases import listed
@@ -67,7 +68,7 @@ def limb_blocks(
     head = f"{limb.limb}: {listed(limb.joints)}"
     aside = f"rank {limb.generic_rank} in general" if show_rank else ""
     blocks: list[Block] = [Heading(words(head), 2, words(aside))]
-    items = [condition(entry, numbering.single) for entry in entries]
+    items = [condition(entry, numbering) for entry in entries]
     if items:
         blocks.append(Listing(tuple(items)))
     blocks += [
@@ -117,7 +118,7 @@ def constraint_blocks(
             words(f"rank {part.generic_rank} in general"),
         )
     ]
-    items = [condition(entry, numbering.single) for entry in numbering.constraint]
+    items = [condition(entry, numbering) for entry in numbering.constraint]
     if items:
         blocks.append(Listing(tuple(items)))
     blocks.append(Paragraph(prose(verdict(part, none=not items)), 2))
@@ -129,7 +130,9 @@ def actuation_blocks(part: ActuationSingularities, numbering: Numbering) -> list
     locked = listed(part.actuated)
     blocks: list[Block] = [
         Heading(
-            words(f"ACTUATION   with {locked} locked, where the platform can move"),
+            words(
+                f"ACTUATION   with {locked} locked, where the {numbering.platform} moves"
+            ),
             1,
             words(f"rank {part.generic_rank} in general"),
         )
@@ -137,15 +140,31 @@ def actuation_blocks(part: ActuationSingularities, numbering: Numbering) -> list
     if not part.admissible:
         why = f": {part.witness}" if part.witness else ""
         return [*blocks, Paragraph(prose(f"not admissible, it always can{why}"), 2)]
-    items = [condition(entry, numbering.single) for entry in numbering.actuation]
+    items = [condition(entry, numbering) for entry in numbering.actuation]
     if items:
         blocks.append(Listing(tuple(items)))
     blocks.append(Paragraph(prose(verdict(part, none=not items)), 2))
     if part.idle:
         where = joined([idle_place(component) for component in part.idle], ";  ")
-        head = Words("idle only (the platform stays fixed): ")
+        head = Words(f"idle only (the {numbering.platform} stays fixed): ")
         blocks.append(Paragraph((head, *where), 2))
     return blocks
+
+
+def limb_part(limb: LimbSingularities) -> tuple[Block, ...]:
+    """One limb alone, as a part of an unfinished answer."""
+    numbering = numbered_alone(limb.components)
+    return tuple(limb_blocks(limb, numbering.constraint, numbering, show_rank=True))
+
+
+def constraint_part(part: ConstraintSingularities) -> tuple[Block, ...]:
+    """The constraint singularities alone."""
+    return tuple(constraint_blocks(part, numbered_alone(part.components)))
+
+
+def actuation_part(part: ActuationSingularities) -> tuple[Block, ...]:
+    """The actuation singularities alone."""
+    return tuple(actuation_blocks(part, numbered_alone(part.components)))
 
 
 def idle_place(component: Component) -> Text:

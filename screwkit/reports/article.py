@@ -50,7 +50,7 @@ from screwkit.reports.blocks import (
     prose,
     words,
 )
-from screwkit.reports.phrases import signed
+from screwkit.reports.phrases import platform_called, signed
 from screwkit.reports.records import version
 from screwkit.reports.references import cited, entries, keys_in
 from screwkit.reports.sections import claim_remark, claims_line, plain_value
@@ -241,12 +241,13 @@ def _motion_table(answer: Mobility) -> Table:
         (motion_place(case), words(case.motion_type), prose(case.reason))
         for case in answer.platform.cases
     )
+    caption = f"Motion of {platform_called(answer.platform_name)}"
     columns = (
         Column(words("Where"), "wrap", 1.2),
         Column(words("Motion")),
         Column(words("Constraint wrenches"), "wrap"),
     )
-    return Table(columns, rows, words("Motion of the platform"), "table:motion")
+    return Table(columns, rows, words(caption), "table:motion")
 
 
 def _screws(answer: Screws | Undecided) -> tuple[Block, ...]:

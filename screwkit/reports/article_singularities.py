@@ -196,7 +196,7 @@ def _row(entry: Numbered, numbering: Numbering) -> tuple[Text, ...]:
     pairs = matched(component)
     condition = joined([math(f"{equation} = 0") for equation, _ in pairs])
     solved = joined([math(solution_text(s)) for _, s in pairs if s is not None])
-    sentences = [component.geometry or "", consequence(component)]
+    sentences = [component.geometry or "", consequence(component, numbering.platform)]
     text = prose("; ".join(sentence for sentence in sentences if sentence))
     parts: list[Text] = [text]
     if len(pairs) == 1:

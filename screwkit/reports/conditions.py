@@ -22,7 +22,7 @@ from screwkit.reports.blocks import (
     prose,
     words,
 )
-from screwkit.reports.phrases import counted
+from screwkit.reports.phrases import counted, platform_called
 from screwkit.results.singularities import Component, Singularities, Solution
 
 _LETTERS = re.compile(r"[A-Za-z_]\w*")
@@ -53,12 +53,14 @@ class Numbering:
 
     Attributes:
         single: The conditions that consist of one equation, by that equation.
+        platform: What the platform is called.
     """
 
     limbs: tuple[tuple[Numbered, ...], ...]
     constraint: tuple[Numbered, ...]
     actuation: tuple[Numbered, ...]
     single: Mapping[str, Numbered]
+    platform: str = "platform"
 
 
 def numbered(answer: Singularities) -> Numbering:
@@ -78,7 +80,19 @@ def numbered(answer: Singularities) -> Numbering:
     limbs = tuple(take(limb.components) for limb in answer.limb)
     constraint = take(answer.constraint.components)
     actuation = take(answer.actuation.components if answer.actuation else ())
-    return Numbering(limbs, constraint, actuation, single)
+    name = platform_called(answer.platform_name).removeprefix("the ")
+    return Numbering(limbs, constraint, actuation, single, name)
+
+
+def numbered_alone(components: Sequence[Component]) -> Numbering:
+    """A numbering of one list, for a part of an answer; all under ``constraint``."""
+    entries = tuple(Numbered(i + 1, c) for i, c in enumerate(components))
+    single = {
+        entry.component.equations[0]: entry
+        for entry in reversed(entries)
+        if len(entry.component.equations) == 1
+    }
+    return Numbering((), entries, entries, single)
 
 
 def solution_text(solution: Solution) -> str:
@@ -155,21 +169,21 @@ def place(entry: Numbered, single: Mapping[str, Numbered]) -> tuple[Text, bool]:
     return joined(parts, " and " if references else ", "), False
 
 
-def consequence(component: Component) -> str:
+def consequence(component: Component, platform: str) -> str:
     """What the platform and the mechanism can do there."""
     parts = []
     if component.platform_freedom is not None:
-        parts.append(f"platform {counted(component.platform_freedom, 'freedom')}")
+        parts.append(f"{platform} {counted(component.platform_freedom, 'freedom')}")
     if component.mobility is not None:
         parts.append(f"mobility {component.mobility}")
     return ", ".join(parts)
 
 
-def condition(entry: Numbered, single: Mapping[str, Numbered]) -> Condition:
+def condition(entry: Numbered, numbering: Numbering) -> Condition:
     """A numbered entry of a listing."""
-    component = entry.component
+    component, single = entry.component, numbering.single
     where, used = place(entry, single)
-    sentences = [consequence(component)]
+    sentences = [consequence(component, numbering.platform)]
     earlier = (
         single.get(component.equations[0]) if len(component.equations) == 1 else None
     )

@@ -40,6 +40,7 @@ from screwkit.reports.tex import escape, prose, working
 
 CAP: Final = 420
 _LINE: Final = 92
+_LINE_ALONE: Final = 66
 _LONG_FORMULA: Final = 84
 _PREAMBLE: Final = r"""\documentclass[11pt,a4paper]{article}
 \usepackage{amsmath,amssymb}
@@ -163,10 +164,10 @@ def _locus(factors: tuple[tuple[str, int, int], ...]) -> str:
 
 
 def _breakable(formula: str) -> str:
-    """Long products may break before a function."""
+    """Long products may break before a function, though rather at a plus sign."""
     if len(formula) < 120:
         return formula
-    return re.sub(r"(?<=[}\w)])\\(sin|cos)\b", r"\\allowbreak\\\1", formula)
+    return re.sub(r"(?<=[}\w)])\\(sin|cos)\b", r"\\penalty900\\\1", formula)
 
 
 def _render(block: Block, setting: _Setting) -> str:
@@ -245,7 +246,7 @@ def _listing(items: tuple[Condition, ...], setting: _Setting) -> str:
 
 
 def _table(table: Table, setting: _Setting) -> str:
-    widths = _widths(table)
+    widths = _widths(table, _LINE_ALONE if setting.alone else _LINE)
     letters = {"left": "l", "right": "r", "centre": "c"}
     spec = "".join(
         rf"p{{{width:.3f}\linewidth}}"
@@ -327,14 +328,14 @@ def _row(
     return anchor + " & ".join(written) + r" \tabularnewline"
 
 
-def _widths(table: Table) -> list[float]:
+def _widths(table: Table, line: int) -> list[float]:
     """Shares of the line for the wrapping columns, after an estimate of the others."""
     fixed = 0.0
     for index, column in enumerate(table.columns):
         if column.align != "wrap":
             texts = [column.head, *(row[index] for row in table.rows)]
-            fixed += max(len(plain.inline(text)) for text in texts) / _LINE
-    gaps = 0.027 * (len(table.columns) - 1)
+            fixed += max(len(plain.inline(text)) for text in texts) / line
+    gaps = 2.5 / line * (len(table.columns) - 1)
     left = max(0.985 - gaps - fixed, 0.3)
     shares = sum(c.weight for c in table.columns if c.align == "wrap") or 1.0
     return [

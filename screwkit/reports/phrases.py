@@ -18,6 +18,16 @@ def counted(number: int, noun: str, plural: str = "") -> str:
     return f"{number} {noun if number == 1 else plural or noun + 's'}"
 
 
+def platform_called(name: str) -> str:
+    """The platform by the reader's own name, where that reads as a word.
+
+    >>> platform_called("object"), platform_called("p7"), platform_called("")
+    ('the object', 'the platform', 'the platform')
+    """
+    reads = len(name) > 2 and name.isalpha() and name.islower()
+    return f"the {name}" if reads else "the platform"
+
+
 def signed(number: int | None) -> str:
     """An integer with a true minus sign; a dash for None."""
     return "–" if number is None else str(number).replace("-", "−")

@@ -12,10 +12,15 @@ from dataclasses import dataclass
 from functools import singledispatch
 from typing import Any
 
-from screwkit.reports.about_mobility import freedoms, mobility_blocks, topology_line
+from screwkit.reports.about_mobility import mobility_blocks, topology_line
 from screwkit.reports.about_schemes import schemes_blocks
 from screwkit.reports.about_screws import screws_blocks
-from screwkit.reports.about_singularities import singularities_blocks
+from screwkit.reports.about_singularities import (
+    actuation_part,
+    constraint_part,
+    limb_part,
+    singularities_blocks,
+)
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -33,7 +38,12 @@ from screwkit.results.analysis import Analysis, ClaimCheck, Description, Undecid
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import Screws
-from screwkit.results.singularities import Singularities
+from screwkit.results.singularities import (
+    ActuationSingularities,
+    ConstraintSingularities,
+    LimbSingularities,
+    Singularities,
+)
 
 _FORMULA = re.compile(r"[*(]|\w [-+] \w")
 
@@ -106,6 +116,21 @@ def _(result: Undecided) -> tuple[Block, ...]:
 @blocks.register
 def _(result: Description) -> tuple[Block, ...]:
     return (Heading(words(result.title or result.case), 0, words(result.case)),)
+
+
+@blocks.register
+def _(result: LimbSingularities) -> tuple[Block, ...]:
+    return limb_part(result)
+
+
+@blocks.register
+def _(result: ConstraintSingularities) -> tuple[Block, ...]:
+    return constraint_part(result)
+
+
+@blocks.register
+def _(result: ActuationSingularities) -> tuple[Block, ...]:
+    return actuation_part(result)
 
 
 @blocks.register
@@ -197,15 +222,3 @@ def claim_remark(claim: ClaimCheck) -> str:
     if claim.agrees is False and not claim.holds:
         state = "differs, as noted"
     return f"{state}; {claim.note}" if claim.note else state
-
-
-__all__ = [
-    "CaseEntry",
-    "CaseList",
-    "answer_blocks",
-    "blocks",
-    "claims_line",
-    "claims_table",
-    "freedoms",
-    "plain_value",
-]

@@ -136,7 +136,11 @@ class SpecialValues:
 
 @dataclass(frozen=True)
 class Mobility:
-    """The answer of ``mobility``; ranks are exact and generic over the free symbols."""
+    """The answer of ``mobility``; ranks are exact and generic over the free symbols.
+
+    Attributes:
+        platform_name: What the file calls the platform, for sentences.
+    """
 
     case: str
     title: str
@@ -151,3 +155,4 @@ class Mobility:
     actuation: Actuation | None
     partition: Partition
     at_values: SpecialValues | None = None
+    platform_name: str = ""

@@ -119,6 +119,7 @@ class Singularities:
     Attributes:
         actuation: None where the file declares no actuated joint.
         assumptions: What the derivation took for granted, ``d3 > 0``.
+        platform_name: What the file calls the platform, for sentences.
     """
 
     case: str
@@ -127,3 +128,4 @@ class Singularities:
     constraint: ConstraintSingularities
     actuation: ActuationSingularities | None
     assumptions: tuple[str, ...] = ()
+    platform_name: str = ""

@@ -121,6 +121,7 @@ MOBILITY = Mobility(
         actuation=Actuation(("1", "2", "3", "7"), 0, 0),
         full_cycle=FullCycle("proved", (4,), "every posture is closed"),
     ),
+    platform_name="object",
 )
 
 _FORCE_RIGHT = IdentifiedScrew(
@@ -280,6 +281,7 @@ SINGULARITIES = Singularities(
         ),
     ),
     assumptions=("d3 > 0", "r1 > 0", "r3 > 0"),
+    platform_name="object",
 )
 
 SHOULDER = "their axes are one line: arms and object swing about it"

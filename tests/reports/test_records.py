@@ -10,6 +10,7 @@ import pytest
 from reports import samples
 
 from screwkit.reports.records import (
+    Result,
     from_json,
     json_schema_of_results,
     part_from_json,
@@ -106,7 +107,7 @@ PROMISED: dict[str, list[str]] = {
         "schemes.2.reason",
     ],
 }
-SAMPLES = {
+SAMPLES: dict[str, Result] = {
     "mobility": samples.MOBILITY,
     "screws": samples.SCREWS,
     "singularities": samples.SINGULARITIES,
@@ -174,7 +175,7 @@ def _fits(schema: dict[str, Any], data: Any, definitions: dict[str, Any]) -> boo
         "null": type(None),
     }
     allowed = [names[kind] for kind in ([kinds] if isinstance(kinds, str) else kinds)]
-    if allowed and not isinstance(data, tuple(allowed)):  # type: ignore[arg-type]
+    if allowed and not isinstance(data, tuple(allowed)):
         return False
     if isinstance(data, dict):
         if not set(schema.get("required", ())) <= set(data):

@@ -37,7 +37,7 @@ def test_mobility_answers_first() -> None:
     lines = shown(samples.MOBILITY).splitlines()
     assert lines[0].split("  ")[0] == samples.TITLE
     assert lines[0].endswith("nao_t14")
-    assert lines[3] == "  the platform has 4 freedoms: 1T3R, in general"
+    assert lines[3] == "  the object has 4 freedoms: 1T3R, in general"
     text = "\n".join(lines)
     assert "Moroskine         10 − rank Jc = 10 − 6" in text
     assert "q6 = q1 (mod π)                           1T3R   they meet" in text
@@ -54,7 +54,15 @@ def test_singularities_are_numbered_through_and_refer_to_each_other() -> None:
     assert "11  q2 = atan(−r3/d3) (mod π)" in text
     assert "see 2" in text
     assert "undecided whether this is all" in text
-    assert "idle only (the platform stays fixed): q9 = 0, π" in text
+    assert "idle only (the object stays fixed): q9 = 0, π" in text
+
+
+def test_parts_of_an_unfinished_answer_can_be_shown() -> None:
+    answer = samples.SINGULARITIES
+    assert answer.actuation is not None
+    assert "2  q2 = atan(−r3/d3) (mod π)" in shown(answer.limb[0])
+    assert "q9 = 0, π, q8 = ±π/2" in shown(answer.constraint)
+    assert "B in the plane of axes 4 and 5" in shown(answer.actuation)
 
 
 def test_schemes_give_counts_reasons_and_products() -> None:

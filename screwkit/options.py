@@ -1,0 +1,56 @@
+"""The options that commands share, each with its spelling and its sentence of help."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Annotated
+
+import typer
+
+
+class Order(StrEnum):
+    """Which half of a screw is printed first."""
+
+    DIRECTION = "direction"
+    LINEAR = "linear"
+
+
+class Format(StrEnum):
+    """What a report is written as."""
+
+    LATEX = "latex"
+    PDF = "pdf"
+    HTML = "html"
+
+
+class Which(StrEnum):
+    """Whose JSON Schema is wanted."""
+
+    BOTH = "both"
+    MECHANISM = "mechanism"
+    RESULTS = "results"
+
+
+CaseName = Annotated[str, typer.Argument(metavar="CASE", help="File or bundled case.")]
+AsJson = Annotated[bool, typer.Option("--json", help="One JSON document.")]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no notes.")]
+Setting = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="NAME=VALUE", help="A number for a symbol."),
+]
+Actuated = Annotated[
+    str | None,
+    typer.Option(metavar="1,2,3,7", help="Replaces the declared actuated joints."),
+]
+Timeout = Annotated[
+    float | None,
+    typer.Option(metavar="SECONDS", min=0.0, help="Give up after this long."),
+]
+Memory = Annotated[
+    float | None,
+    typer.Option(metavar="GB", min=0.1, help="Address space for the exact work."),
+]
+At = Annotated[
+    list[str] | None,
+    typer.Option(metavar="NAME=VALUE", help="Posture, for posture results."),
+]
