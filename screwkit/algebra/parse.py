@@ -3,8 +3,6 @@
 The tokens are checked first; Python's own parser then only groups them (`ast.parse` on
 placeholders, so that no text of a file reaches it), and a white list of node types
 turns the groups into expressions.  Numbers are exact: they are read from the source.
-
-References: [ecosystem], section 3.
 """
 
 from __future__ import annotations
@@ -67,7 +65,7 @@ class Limits:
         digits: Digits of a number; a decimal exponent may shift it by as many.
         exponent: Exponents, stacked ones multiplied.
         bits: Bits of the numerator and of the denominator of a folded constant.
-        leaves: Size of a vector product's coordinates, in numbers and symbols.
+        leaves: Size of what vectors combine to, in numbers and symbols.
     """
 
     length: int = 2_000
@@ -319,7 +317,9 @@ class _Reader:
                 raise self._error(node.func, f"{name} takes two vectors")
             left, right = _vectors(values)
             if name == "dot":
-                return self._guarded(node, dot(left, right))
+                product = dot(left, right)
+                self._check_size(node, _leaves(product))
+                return self._guarded(node, product)
             return self._guarded_vector(node, cross(left, right))
         if any(isinstance(value, tuple) for value in values):
             raise self._error(node.func, f"{name} takes numbers, not vectors")
@@ -363,9 +363,12 @@ class _Reader:
     ) -> VectorExpression:
         for coordinate in value:
             self._guarded(node, coordinate)
-        if sum(_leaves(coordinate) for coordinate in value) > self._limits.leaves:
-            raise self._error(node, "the vector's coordinates grow too large")
+        self._check_size(node, sum(_leaves(coordinate) for coordinate in value))
         return value
+
+    def _check_size(self, node: ast.expr, leaves: int) -> None:
+        if leaves > self._limits.leaves:
+            raise self._error(node, "products of vectors grow too large here")
 
     def _too_many_bits(self, node: ast.expr) -> ExpressionError:
         return self._error(

@@ -7,7 +7,7 @@ validation: a fault found later still names its line and column.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
@@ -157,16 +157,3 @@ def unique_entries(entries: Iterable[Entry], faults: Faults) -> tuple[Entry, ...
         else:
             first[entry.key] = entry
     return tuple(first.values())
-
-
-def scalars(node: Node) -> Iterator[Scalar]:
-    """Every scalar value below ``node``."""
-    match node:
-        case Scalar():
-            yield node
-        case Sequence(items):
-            for item in items:
-                yield from scalars(item)
-        case Mapping(entries):
-            for entry in entries:
-                yield from scalars(entry.value)

@@ -215,3 +215,15 @@ def test_a_joint_whose_name_is_a_list() -> None:
         MechanismFileError, match=r"12:12  .*name is expected, but a li"
     ):
         mechanism_from_text(text, "four_bar.yaml")
+
+
+def test_vectors_that_double_again_and_again_are_refused() -> None:
+    lines = ["vectors:", "  v0: [a, b, c]", "  w0: [b, c, a]"]
+    for k in range(40):
+        lines.append(f"  v{k + 1}: ['dot(v{k}, w{k})', 'dot(v{k}, v{k})', 1]")
+        lines.append(f"  w{k + 1}: cross(v{k}, w{k})")
+    text = FOUR_BAR + "\n".join(["parameters: {a: 1, b: 2, c: 3}", *lines, ""])
+    start = time.perf_counter()
+    with pytest.raises(MechanismFileError, match="products of vectors grow too large"):
+        mechanism_from_text(text, "doubling")
+    assert time.perf_counter() - start < 5
