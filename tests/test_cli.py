@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 import time
 from dataclasses import replace
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -261,3 +263,61 @@ def test_doctor_and_schema_answer_in_json(capsys: pytest.CaptureFixture[str]) ->
     assert {"python", "pdflatex", "msolve"} <= {tool["name"] for tool in tools}
     assert screwkit("schema", "results") == 0
     assert json.loads(capsys.readouterr().out)["$defs"]["Mobility"]
+
+
+@pytest.mark.usefixtures("engine")
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="TeX is not installed")
+def test_a_pdf_report_leaves_its_source_beside_it(tmp_path: Path) -> None:
+    path = tmp_path / "report.pdf"
+    assert screwkit("report", "nao_t14", "--format", "pdf", "-o", str(path)) == 0
+    assert path.read_bytes().startswith(b"%PDF")
+    assert sorted(entry.name for entry in tmp_path.iterdir()) == [
+        "report.pdf",
+        "report.tex",
+    ]
+
+
+needs_engine = pytest.mark.skipif(
+    find_spec("screwkit.case") is None, reason="the engine is not there yet"
+)
+
+
+@needs_engine
+def test_a_bundled_case_end_to_end(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "screwkit.cli", "mobility", "nao_t14", "--json"],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+    )
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["platform"]["motion_type"] == "1T3R"
+
+
+@needs_engine
+def test_an_unknown_case_is_2() -> None:
+    done = python("-m", "screwkit.cli", "mobility", "no_such_case")
+    assert done.returncode == 2
+    assert len(done.stderr.splitlines()) == 1
+
+
+def test_check_tells_all_faults_of_a_file(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "bad.yaml"
+    path.write_text("screwkit: 1\nname: x y\nfoo: 1\n", encoding="utf-8")
+    assert screwkit("check", str(path)) == 3
+    errors = capsys.readouterr().err.splitlines()
+    assert any(line.startswith(f"{path}:3:1  unknown key 'foo'") for line in errors)
+    assert errors[-1] == f"{len(errors) - 1} errors; nothing was computed"
+
+
+def test_check_summarises_a_right_file(capsys: pytest.CaptureFixture[str]) -> None:
+    path = ROOT / "cases" / "nao_t14.yaml"
+    assert screwkit("check", str(path)) == 0
+    assert "12 bodies, 12 joints with 10 freedoms" in capsys.readouterr().out
+    assert screwkit("check", str(path), "--json") == 0
+    assert json.loads(capsys.readouterr().out)["valid"] is True

@@ -131,7 +131,8 @@ def actuation_blocks(part: ActuationSingularities, numbering: Numbering) -> list
     blocks: list[Block] = [
         Heading(
             words(
-                f"ACTUATION   with {locked} locked, where the {numbering.platform} moves"
+                f"ACTUATION   with {locked} locked, "
+                f"where the {numbering.platform} moves"
             ),
             1,
             words(f"rank {part.generic_rank} in general"),

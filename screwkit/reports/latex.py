@@ -321,7 +321,8 @@ def _row(
     for cell, column in zip(cells, columns, strict=True):
         body = _inline(cell, setting)
         if column.align == "wrap" and body:
-            body = rf"\raggedright {body}"
+            apart = r"\lineskiplimit2pt\lineskip3pt" if r"\frac" in body else ""
+            body = rf"\raggedright{apart} {body}"
         elif body.startswith("["):
             body = "{}" + body  # else read as an argument of the row before
         written.append(body)
