@@ -103,8 +103,10 @@ def _apart(before: Block, block: Block) -> bool:
 
 def _span(span: Span, page: Page) -> str:
     match span:
-        case Words(text) | Prose(text) | Loose(text):
+        case Words(text) | Prose(text):
             return _printable(text)
+        case Loose(text):
+            return _printable(text).replace(" - ", " − ")
         case Strong(text):
             text = _printable(text)
             return f"\x1b[1m{text}\x1b[0m" if page.bold else text

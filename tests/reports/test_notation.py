@@ -99,3 +99,7 @@ def test_a_working_is_mathematics() -> None:
 
 def test_names_in_sentences_get_their_subscripts() -> None:
     assert prose("± sin q4 on O1 A") == (r"\ensuremath{\pm } $\sin q_{4}$ on $O_{1}$ A")
+
+
+def test_a_working_may_use_plain_signs() -> None:
+    assert working("6 - dim(W_a + W_b)") == working("6 − dim(W_a + W_b)")
