@@ -13,8 +13,11 @@ from fractions import Fraction
 from functools import cached_property
 
 from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.branches import Branch
 from screwkit.algebra.expression import Number
+from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.modular import ModularRing, ResampleError, prime_for, rank
+from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.errors import UndecidedError
 from screwkit.kinematics.frames import (
     FramedTwists,
@@ -23,6 +26,7 @@ from screwkit.kinematics.frames import (
     survey,
 )
 from screwkit.kinematics.placement import MOVING, joint_twists, table_joints
+from screwkit.kinematics.values import with_values
 from screwkit.mechanism.graph import independent_loops
 from screwkit.mechanism.graph import limbs as limbs_of
 from screwkit.mechanism.model import Mechanism, freedom_label
@@ -71,6 +75,7 @@ class Assembly:
                 p.name for p in mechanism.parameters if p.nonzero or p.positive
             ),
         )
+        self._libraries: dict[TrigonometricRing, FactorLibrary] = {}
         self.loops = independent_loops(mechanism)
         closed = max(0, len(self.limbs) - 1)
         if self.loops != closed:
@@ -79,6 +84,16 @@ class Assembly:
                 f"of which the limbs close {closed}; loops outside or inside limbs are "
                 f"not analysed yet"
             )
+
+    @cached_property
+    def at_values(self) -> Assembly | None:
+        """The same mechanism with the file's values put in for its symbols."""
+        values = {
+            p.name: p.value for p in self.mechanism.parameters if p.value is not None
+        }
+        if not values:
+            return None
+        return Assembly(with_values(self.mechanism, values))
 
     @cached_property
     def joints(self) -> tuple[str, ...]:
@@ -171,6 +186,22 @@ class Assembly:
             )
             for t, prime in self.random_postures
         )
+
+    def root(self, ring: TrigonometricRing) -> Branch:
+        """The whole configuration space of a ring of this mechanism."""
+        dimensions = {p.name for p in self.mechanism.parameters if not p.free}
+        indices = tuple(
+            index
+            for index, name in zip(ring.symbol_indices(), ring.symbols, strict=True)
+            if name in dimensions
+        )
+        return Branch(ring, self.assumptions, dimensions=indices)
+
+    def library(self, ring: TrigonometricRing) -> FactorLibrary:
+        """The factors met in a ring so far, kept for as long as the assembly."""
+        if ring not in self._libraries:
+            self._libraries[ring] = FactorLibrary(ring)
+        return self._libraries[ring]
 
     def label(self, joint: str) -> str:
         """How the freedom of a joint is written in schemes."""

@@ -1,0 +1,269 @@
+"""Which joints may be actuated: every scheme of a size, admissible or why not.
+
+References: [LongCaroKhalil2012] §5.2.2.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import combinations
+from math import comb
+
+from screwkit.algebra.factors import Factor, factor
+from screwkit.algebra.polynomial_text import equation_text
+from screwkit.algebra.trigonometric import Polynomial
+from screwkit.errors import TooLargeError, UnknownNameError
+from screwkit.kinematics.assembly import Assembly
+from screwkit.kinematics.mirror import mirrored_joints
+from screwkit.loci.meanings import Meanings
+from screwkit.loci.passive import PassiveSystem, RankTable
+from screwkit.loci.pieces import Piece
+from screwkit.loci.actuation import factor_branches, passive_joints
+from screwkit.loci.witness import witness
+from screwkit.progress import Progress, silent
+from screwkit.results.schemes import (
+    Balanced,
+    LocusFactor,
+    MirrorClasses,
+    Refusal,
+    Scheme,
+    Schemes,
+)
+
+LARGEST = 20_000  # schemes; beyond, candidates have to be named
+
+
+def schemes(
+    assembly: Assembly,
+    size: int | None = None,
+    candidates: Sequence[str] | None = None,
+    balanced: bool = False,
+    progress: Progress = silent,
+) -> Schemes:
+    """Answer ``schemes``.
+
+    Args:
+        assembly: The mechanism.
+        size: Number of actuated freedoms; the platform's twist dimension by default.
+        candidates: Joints that may be actuated; all by default.
+        balanced: List only schemes with the same number from every limb.
+        progress: Told about each stage.
+
+    Raises:
+        UnknownNameError: If a candidate is no joint of a limb.
+        TooLargeError: If there are more schemes than can sensibly be listed.
+    """
+    system = PassiveSystem(assembly)
+    wanted = system.generic_state(assembly.joints).platform_freedom
+    number = wanted if size is None else size
+    chosen = _candidates(assembly, candidates)
+    total = comb(len(chosen), number)
+    if total > LARGEST:
+        raise TooLargeError(
+            f"{total} schemes of {number} among {len(chosen)} joints are more than "
+            f"{LARGEST}; name fewer with --candidates"
+        )
+    work = _Work(assembly, system)
+    progress("schemes", f"{total} schemes of {number} joints")
+    listed = [
+        _scheme(work, actuated)
+        for actuated in combinations(chosen, number)
+        if not balanced or _is_balanced(assembly, actuated)
+    ]
+    progress("meanings", f"{len(work.counts)} factors")
+    pairs = mirrored_joints(assembly)
+    listed = [_with_mirror(scheme, pairs) for scheme in listed]
+    admissible = [scheme for scheme in listed if scheme.admissible]
+    even = [scheme for scheme in listed if scheme.balanced]
+    divides = number % len(assembly.limbs) == 0 if assembly.limbs else False
+    return Schemes(
+        case=assembly.mechanism.name,
+        title=assembly.mechanism.title,
+        size=number,
+        total=len(listed),
+        admissible=len(admissible),
+        balanced=Balanced(len(even), sum(s.admissible for s in even))
+        if divides
+        else None,
+        schemes=tuple(listed),
+        factors=work.factors(),
+        refusals=_refusals(listed),
+        mirror=_mirror_classes(listed, pairs),
+        left_out=tuple(sorted(work.left_out)),
+        complete=not work.open,
+        reason=work.open,
+    )
+
+
+@dataclass
+class _Work:
+    """What the schemes of one mechanism share."""
+
+    assembly: Assembly
+    system: PassiveSystem
+    counts: Counter[str] = field(default_factory=Counter)
+    seen: dict[str, Factor] = field(default_factory=dict)
+    left_out: set[str] = field(default_factory=set)
+    open: str = ""
+    tables: dict[str, list[RankTable]] = field(default_factory=dict)
+    reasons: dict[frozenset[str], str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        framed = self.assembly.common_twists
+        self.ring = framed.ring
+        self.root = self.assembly.root(framed.ring)
+        self.library = self.assembly.library(framed.ring)
+
+    def locus(self, passive: Sequence[str]) -> list[tuple[Factor, int]] | None:
+        """The factors of the determinant that can vanish; None where not expanded."""
+        minors = self.system.maximal_minors(passive)
+        if minors is None:
+            return None
+        common: dict[str, tuple[Factor, int]] | None = None
+        for minor in sorted(minors, key=len):
+            factors = {
+                f.key: (f, n) for f, n in factor(self.ring, minor, self.library).factors
+            }
+            if common is None:
+                common = factors
+            else:
+                common = {
+                    key: (f, min(n, factors[key][1]))
+                    for key, (f, n) in common.items()
+                    if key in factors
+                }
+            if not common:
+                break
+        kept = []
+        for f, n in (common or {}).values():
+            if self.root.assumptions.is_nonzero(self.ring, f.equations[0]):
+                self.left_out.add(equation_text(self.ring, f.equations[0]))
+            else:
+                kept.append((f, n))
+        return kept
+
+    def is_idle(self, f: Factor, passive: Sequence[str]) -> bool:
+        """Whether the platform stays fixed on the factor: only limbs move."""
+        if f.key not in self.tables:
+            branches = factor_branches(self.root, f.equations[0])
+            self.tables[f.key] = [
+                self.system.table_at(*point)
+                for branch in branches[:1]
+                for point in branch.points
+            ]
+        tables = self.tables[f.key]
+        return bool(tables) and any(
+            table.state(passive).platform_freedom == 0 for table in tables
+        )
+
+    def factors(self) -> tuple[LocusFactor, ...]:
+        """Every factor that occurred, with its meaning."""
+        meanings = Meanings(self.assembly.common_twists, self.root, self.library)
+        found = []
+        for key, count in self.counts.most_common():
+            equation: Polynomial = self.seen[key].equations[0]
+            branches = tuple(factor_branches(self.root, equation))
+            meaning = meanings.of(Piece((equation,), branches)) if branches else None
+            text = equation_text(self.ring, equation)
+            found.append(LocusFactor(text, meaning, len(equation), count))
+        return tuple(sorted(found, key=lambda f: (f.terms, f.equation)))
+
+
+def _candidates(
+    assembly: Assembly, candidates: Sequence[str] | None
+) -> tuple[str, ...]:
+    if candidates is None:
+        return assembly.joints
+    for name in candidates:
+        if name not in assembly.joints:
+            known = ", ".join(assembly.joints)
+            raise UnknownNameError(f"no joint {name!r} in a limb; there are {known}")
+    return tuple(joint for joint in assembly.joints if joint in set(candidates))
+
+
+def _scheme(work: _Work, actuated: tuple[str, ...]) -> Scheme:
+    assembly = work.assembly
+    passive = passive_joints(assembly, actuated)
+    state = work.system.generic_state(passive)
+    rank = 6 - state.platform_freedom
+    balanced = _is_balanced(assembly, actuated)
+    if state.platform_freedom:
+        reason = witness(assembly, work.system, passive)
+        return Scheme(actuated, False, rank, reason=reason, balanced=balanced)
+    locus = work.locus(passive)
+    if locus is None:
+        work.open = "loci of redundant schemes with more than two limbs are not expanded"
+        return Scheme(actuated, True, rank, balanced=balanced)
+    locus.sort(key=lambda item: (len(item[0].equations[0]), item[0].key))
+    texts, idle = [], []
+    for f, _ in locus:
+        work.counts[f.key] += 1
+        work.seen[f.key] = f
+        text = equation_text(work.ring, f.equations[0])
+        texts.append(text)
+        if work.is_idle(f, passive):
+            idle.append(text)
+    return Scheme(
+        actuated,
+        True,
+        rank,
+        tuple(texts),
+        tuple(n for _, n in locus),
+        tuple(idle),
+        None,
+        balanced,
+    )
+
+
+def _is_balanced(assembly: Assembly, actuated: Sequence[str]) -> bool:
+    counts = {sum(j in actuated for j in limb.joints) for limb in assembly.limbs}
+    return len(counts) == 1
+
+
+def _refusals(listed: Sequence[Scheme]) -> tuple[Refusal, ...]:
+    groups: dict[str, list[Scheme]] = {}
+    for scheme in listed:
+        if scheme.reason is not None:
+            groups.setdefault(scheme.reason, []).append(scheme)
+    refusals = [
+        Refusal(reason, len(group), group[0].actuated)
+        for reason, group in groups.items()
+    ]
+    return tuple(sorted(refusals, key=lambda refusal: -refusal.schemes))
+
+
+def _with_mirror(scheme: Scheme, pairs: Sequence[tuple[str, str]]) -> Scheme:
+    if not pairs:
+        return scheme
+    other = _mirror_map(pairs)
+    order = list(other)
+    image = sorted((other[name] for name in scheme.actuated), key=order.index)
+    from dataclasses import replace  # noqa: PLC0415
+
+    return replace(scheme, mirror=tuple(image))
+
+
+def _mirror_map(pairs: Sequence[tuple[str, str]]) -> Mapping[str, str]:
+    return {**dict(pairs), **{b: a for a, b in pairs}}
+
+
+def _mirror_classes(
+    listed: Sequence[Scheme], pairs: Sequence[tuple[str, str]]
+) -> MirrorClasses | None:
+    if not pairs:
+        return None
+
+    def classes(some: Sequence[Scheme]) -> tuple[int, int]:
+        own = sum(set(s.mirror) == set(s.actuated) for s in some)
+        return (len(some) + own) // 2, own
+
+    even = [s for s in listed if s.balanced]
+    return MirrorClasses(
+        tuple(pairs),
+        classes(listed),
+        classes([s for s in listed if s.admissible]),
+        classes(even),
+        classes([s for s in even if s.admissible]),
+    )

@@ -1,0 +1,258 @@
+"""Where is it singular: limb, constraint and actuation singularities, kept apart.
+
+References: [LongCaroKhalil2012] §5, [Zlatanov2002].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from screwkit.algebra.decomposition import Search
+from screwkit.algebra.trigonometric import Polynomial
+from screwkit.kinematics.assembly import Assembly, SerialLimb
+from screwkit.loci.actuation import actuation_locus
+from screwkit.loci.loop_drop import LoopDrop, LoopState, loop_drop, loop_state
+from screwkit.loci.meanings import Meanings
+from screwkit.loci.pieces import Piece, pieces_of
+from screwkit.loci.rank_drop import generic_rank, rank_drop
+from screwkit.loci.wording import equations_of, solved_equations
+from screwkit.progress import Progress, silent
+from screwkit.results.singularities import (
+    ActuationSingularities,
+    Component,
+    ConstraintSingularities,
+    Intersection,
+    LimbSingularities,
+    Singularities,
+)
+
+
+def singularities(
+    assembly: Assembly,
+    actuated: Sequence[str] | None = None,
+    progress: Progress = silent,
+) -> Singularities:
+    """Answer ``singularities``.
+
+    Args:
+        assembly: The mechanism.
+        actuated: Names of the actuated joints; the declared ones by default.
+        progress: Told about each stage.
+    """
+    limbs = []
+    for limb in assembly.limbs:
+        progress(f"limb {limb.name}", f"{len(limb.joints)} twists")
+        limbs.append(limb_singularities(assembly, limb))
+    progress("constraint", f"{len(assembly.joints)} columns")
+    constraint = constraint_singularities(assembly)
+    scheme = tuple(assembly.mechanism.actuated if actuated is None else actuated)
+    actuation = None
+    if scheme:
+        progress("actuation", f"{len(assembly.joints) - len(scheme)} passive joints")
+        actuation = actuation_singularities(assembly, scheme)
+    return Singularities(
+        case=assembly.mechanism.name,
+        title=assembly.mechanism.title,
+        limb=tuple(limbs),
+        constraint=constraint,
+        actuation=actuation,
+        assumptions=assumptions_in_words(assembly),
+    )
+
+
+def assumptions_in_words(assembly: Assembly) -> tuple[str, ...]:
+    """What the derivation takes for granted."""
+    declared = assembly.assumptions
+    words = [f"{name} > 0" for name in sorted(declared.positive)]
+    words += [f"{name} ≠ 0" for name in sorted(declared.nonzero - declared.positive)]
+    parameters = [p.name for p in assembly.mechanism.parameters if not p.free]
+    if parameters:
+        words.append(
+            f"no special relation between the dimensions {', '.join(parameters)}"
+        )
+    return tuple(words)
+
+
+def limb_singularities(assembly: Assembly, limb: SerialLimb) -> LimbSingularities:
+    """Where the twists of one limb lose rank."""
+    framed = assembly.limb_twists[limb.name]
+    ring = framed.ring
+    root, library = assembly.root(ring), assembly.library(ring)
+    columns = [framed.column(joint) for joint in limb.joints]
+    drop = rank_drop(root, columns, Search(library))
+    pieces = pieces_of(drop.decomposition.branches)
+    pieces = _in_order(pieces)
+    meanings = Meanings(framed, root, library)
+    components = []
+    for piece in pieces:
+        rank = max(generic_rank(branch, columns) for branch in piece.branches)
+        components.append(
+            Component(
+                equations=equations_of(piece),
+                codimension=piece.codimension,
+                solutions=solved_equations(piece),
+                rank=rank,
+                geometry=meanings.of(piece),
+                wrench_dimension=6 - rank,
+            )
+        )
+    complete = drop.decomposition.complete
+    return LimbSingularities(
+        limb=limb.name,
+        joints=limb.joints,
+        generic_rank=drop.rank,
+        complete=complete,
+        components=tuple(components),
+        intersections=tuple(_intersections(pieces, columns, Search(library))),
+        proof=_proof(len(drop.minors), drop.rank, pieces) if complete else "",
+        reason="" if complete else _undecided(drop.decomposition.open),
+    )
+
+
+def _proof(minors: int, rank: int, pieces: Sequence[Piece]) -> str:
+    if not pieces:
+        return f"of the {minors} minors of size {rank}, not all vanish at any posture"
+    return (
+        f"all {minors} minors of size {rank} vanish on each; every common zero lies on "
+        f"one of them, by exhaustive case distinction over the factors of the minors"
+    )
+
+
+def _undecided(branches: Sequence[object]) -> str:
+    count = len(branches)
+    noun = "piece" if count == 1 else "pieces"
+    return f"{count} {noun} of the locus could not be decided within the budget"
+
+
+def _in_order(pieces: Sequence[Piece]) -> list[Piece]:
+    return sorted(
+        pieces, key=lambda piece: (piece.codimension, sum(map(len, piece.equations)))
+    )
+
+
+def _intersections(
+    pieces: Sequence[Piece],
+    columns: Sequence[Sequence[Polynomial]],
+    search: Search,
+) -> list[Intersection]:
+    """Where two components meet, and where the rank falls further on them."""
+    found: list[Intersection] = []
+    keys = [{str(e) for e in piece.equations} for piece in pieces]
+    for i, piece in enumerate(pieces):
+        branch = piece.branches[0]
+        deeper = rank_drop(branch, columns, search)
+        for lower in _in_order(pieces_of(deeper.decomposition.branches)):
+            members = tuple(
+                n for n, other in enumerate(pieces) if _lies(lower, other)
+            )
+            shown = {key for n in members for key in keys[n]}
+            extra = tuple(
+                text
+                for text, equation in zip(
+                    equations_of(lower), lower.equations, strict=True
+                )
+                if str(equation) not in shown
+            )
+            rank = generic_rank(lower.branches[0], columns)
+            item = Intersection(members, extra, rank)
+            if len(members) > 1 and i == members[0] and item not in found:
+                found.append(item)
+    return found
+
+
+def _lies(inner: Piece, outer: Piece) -> bool:
+    points = inner.branches[0].points
+    return bool(points) and all(outer.contains(*point) for point in points)
+
+
+def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
+    """Where the loop constraint matrix loses rank."""
+    generic = assembly.loop_rank
+    if len(assembly.limbs) < 2:
+        return ConstraintSingularities(
+            generic, True, (), proof="there is no loop to constrain"
+        )
+    framed = assembly.common_twists
+    root, library = assembly.root(framed.ring), assembly.library(framed.ring)
+    limbs = [[framed.column(j) for j in limb.joints] for limb in assembly.limbs]
+    drop = loop_drop(root, limbs, Search(library))
+    meanings = Meanings(framed, root, library)
+    components = tuple(
+        _constraint_component(piece, limbs, meanings) for piece in _in_order(drop.pieces)
+    )
+    complete = not drop.open
+    return ConstraintSingularities(
+        generic_rank=generic,
+        complete=complete,
+        components=components,
+        proof=_constraint_proof(drop) if complete else "",
+        reason="" if complete else _undecided(drop.open),
+    )
+
+
+def _constraint_proof(drop: LoopDrop) -> str:
+    if not drop.pieces:
+        return "the limbs' constraint wrenches stay independent on every stratum"
+    return (
+        "every pattern of regular and singular limbs was searched: on each, the joint "
+        "Plücker coordinates of the limbs' wrench systems vanish only there"
+    )
+
+
+def _constraint_component(
+    piece: Piece,
+    limbs: Sequence[Sequence[Sequence[Polynomial]]],
+    meanings: Meanings,
+) -> Component:
+    state = _state(piece, limbs)
+    return Component(
+        equations=equations_of(piece),
+        codimension=piece.codimension,
+        solutions=solved_equations(piece),
+        rank=state.loop,
+        geometry=meanings.each_of(piece),
+        wrench_dimension=state.wrench_dimension,
+        platform_freedom=state.platform_freedom,
+        mobility=state.mobility,
+    )
+
+
+def _state(
+    piece: Piece, limbs: Sequence[Sequence[Sequence[Polynomial]]]
+) -> LoopState:
+    for branch in piece.branches:
+        state = loop_state(branch, limbs)
+        if state is not None:
+            return state
+    raise ArithmeticError("a piece without an exact point was accepted")
+
+
+def actuation_singularities(
+    assembly: Assembly, actuated: Sequence[str]
+) -> ActuationSingularities:
+    """Where, with these joints locked, the platform can move."""
+    locus = actuation_locus(assembly, actuated)
+    meanings = locus.meanings
+    moving, idle = [], []
+    for piece, state in zip(locus.pieces, locus.states, strict=True):
+        component = Component(
+            equations=equations_of(piece),
+            codimension=piece.codimension,
+            solutions=solved_equations(piece),
+            rank=6 - state.platform_freedom,
+            geometry=meanings.each_of(piece) if meanings else None,
+            wrench_dimension=6 - state.platform_freedom,
+            platform_freedom=state.platform_freedom,
+            mobility=state.mobility,
+        )
+        (moving if state.platform_freedom else idle).append(component)
+    return ActuationSingularities(
+        actuated=tuple(actuated),
+        admissible=locus.admissible,
+        generic_rank=locus.generic_rank,
+        complete=locus.complete,
+        components=tuple(moving),
+        idle=tuple(idle),
+        witness=locus.witness,
+        reason=locus.reason,
+    )

@@ -1,0 +1,267 @@
+"""The points, axes and planes of a mechanism, and statements about them.
+
+A statement such as "axes 2 and 7 are parallel" is a list of scalars that all vanish
+exactly where it holds; it is written once over any ring.  At an exact point of a locus
+it costs microseconds to see which statements hold there; only those are then compared
+with the locus itself, and one is called its meaning only if the two are the same set.
+
+References: [Merlet1989]; [LongCaroKhalil2012] Table 3.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Generic
+
+from screwkit.algebra.ring import S
+from screwkit.screws.vector import Vector, cross, dot, subtract
+
+
+@dataclass(frozen=True)
+class Axis(Generic[S]):
+    """The axis of a revolute joint, or the direction of a prismatic one.
+
+    Attributes:
+        point: None for prismatic joints.
+    """
+
+    joint: str
+    direction: Vector[S]
+    point: Vector[S] | None
+
+
+@dataclass(frozen=True)
+class Point(Generic[S]):
+    """A point in which axes meet for every posture.
+
+    Attributes:
+        joints: The axes through it.
+    """
+
+    joints: tuple[str, ...]
+    position: Vector[S]
+
+    @property
+    def name(self) -> str:
+        """The point in words."""
+        return f"the common point of axes {listed(self.joints)}"
+
+
+@dataclass(frozen=True)
+class Features(Generic[S]):
+    """Axes, the points where they meet, and the planes of pairs that meet.
+
+    Attributes:
+        planes: (joint, joint) of pairs of axes that meet for every posture.
+    """
+
+    axes: tuple[Axis[S], ...]
+    points: tuple[Point[S], ...]
+    planes: tuple[tuple[str, str, int], ...]
+
+    def axis(self, joint: str) -> Axis[S]:
+        """The axis of a joint."""
+        return next(axis for axis in self.axes if axis.joint == joint)
+
+
+@dataclass(frozen=True)
+class Statement:
+    """Something about the geometry that may hold at a posture.
+
+    Attributes:
+        words: A sentence without full stop.
+        scalars: Given features over a ring, what must vanish.
+    """
+
+    words: str
+    scalars: Callable[[Features[S]], Sequence[S]]  # type: ignore[valid-type]
+
+
+def listed(names: Sequence[str]) -> str:
+    """``1``, ``1 and 2``, ``1, 2 and 3``."""
+    if len(names) < 2:
+        return "".join(names)
+    return f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+def statements(features: Features[S]) -> Iterator[Statement]:
+    """All statements of the catalogue about these features, simplest first."""
+    axes = [axis.joint for axis in features.axes]
+    lines = [axis.joint for axis in features.axes if axis.point is not None]
+    points = range(len(features.points))
+    for i, j in combinations(lines, 2):
+        yield Statement(f"axes {i} and {j} are one line", _same_line(i, j))
+    for p in points:
+        for j in lines:
+            if j not in features.points[p].joints:
+                words = f"{features.points[p].name} lies on axis {j}"
+                yield Statement(words, _point_on_axis(p, j))
+    for p, q in combinations(points, 2):
+        words = f"{features.points[p].name} and that of {_of(features, q)} coincide"
+        yield Statement(words, _points_coincide(p, q))
+    for (i, j, _), (k, m, _) in combinations(features.planes, 2):
+        if len({i, j, k, m}) == 4:
+            words = f"the planes of axes {i}, {j} and of axes {k}, {m} are parallel"
+            yield Statement(words, _planes_parallel((i, j), (k, m)))
+    for i, j in combinations(axes, 2):
+        yield Statement(f"axes {i} and {j} are parallel", _parallel(i, j))
+    for p in points:
+        for i, j, _ in features.planes:
+            if not {i, j} & set(features.points[p].joints):
+                words = f"{features.points[p].name} lies in the plane of axes {i}, {j}"
+                yield Statement(words, _point_in_plane(p, i, j))
+    for i, j in combinations(axes, 2):
+        yield Statement(f"axes {i} and {j} are perpendicular", _perpendicular(i, j))
+    for (i, j, _), (k, m, _) in combinations(features.planes, 2):
+        if len({i, j, k, m}) == 4:
+            words = f"the planes of axes {i}, {j} and of axes {k}, {m} are perpendicular"
+            yield Statement(words, _planes_perpendicular((i, j), (k, m)))
+    for i, j in combinations(lines, 2):
+        yield Statement(f"axes {i} and {j} lie in one plane", _meet(i, j))
+    for p, q in combinations(points, 2):
+        for k in lines:
+            if {k} & {*features.points[p].joints, *features.points[q].joints}:
+                continue
+            words = (
+                f"the line through {features.points[p].name} and that of "
+                f"{_of(features, q)} meets axis {k}"
+            )
+            yield Statement(words, _line_meets_axis(p, q, k))
+    for p in points:
+        for i, j in combinations(axes, 2):
+            own = features.points[p].joints
+            for k in lines:
+                if k in (i, j) or k in own:
+                    continue
+                if _adjacent(axes, i, j):
+                    words = (
+                        f"the plane through axis {k} and {features.points[p].name} "
+                        f"contains a direction normal to axes {i} and {j}"
+                    )
+                    yield Statement(words, _normal_in_plane(p, k, i, j))
+    for i, j, k in combinations(axes, 3):
+        words = f"axes {i}, {j} and {k} are parallel to one plane"
+        yield Statement(words, _directions_coplanar(i, j, k))
+
+
+def _adjacent(axes: Sequence[str], i: str, j: str) -> bool:
+    return abs(axes.index(i) - axes.index(j)) == 1
+
+
+def _of(features: Features[S], number: int) -> str:
+    return f"axes {listed(features.points[number].joints)}"
+
+
+def _same_line(i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:
+    def scalars(features: Features[S]) -> Sequence[S]:
+        a, b = features.axis(i), features.axis(j)
+        assert a.point is not None
+        assert b.point is not None
+        offset = subtract(b.point, a.point)
+        return [*cross(a.direction, b.direction), *cross(offset, a.direction)]
+
+    return scalars
+
+
+def _point_on_axis(p: int, j: str) -> Callable[[Features[S]], Sequence[S]]:
+    def scalars(features: Features[S]) -> Sequence[S]:
+        axis = features.axis(j)
+        assert axis.point is not None
+        offset = subtract(features.points[p].position, axis.point)
+        return cross(offset, axis.direction)
+
+    return scalars
+
+
+def _points_coincide(p: int, q: int) -> Callable[[Features[S]], Sequence[S]]:
+    return lambda f: subtract(f.points[p].position, f.points[q].position)
+
+
+def _parallel(i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:
+    return lambda f: cross(f.axis(i).direction, f.axis(j).direction)
+
+
+def _perpendicular(i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:
+    return lambda f: [dot(f.axis(i).direction, f.axis(j).direction)]
+
+
+def _normals(
+    features: Features[S], first: tuple[str, str], second: tuple[str, str]
+) -> tuple[Vector[S], Vector[S]]:
+    (i, j), (k, m) = first, second
+    return (
+        cross(features.axis(i).direction, features.axis(j).direction),
+        cross(features.axis(k).direction, features.axis(m).direction),
+    )
+
+
+def _planes_parallel(
+    first: tuple[str, str], second: tuple[str, str]
+) -> Callable[[Features[S]], Sequence[S]]:
+    return lambda f: cross(*_normals(f, first, second))
+
+
+def _planes_perpendicular(
+    first: tuple[str, str], second: tuple[str, str]
+) -> Callable[[Features[S]], Sequence[S]]:
+    return lambda f: [dot(*_normals(f, first, second))]
+
+
+def _point_in_plane(p: int, i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:
+    def scalars(features: Features[S]) -> Sequence[S]:
+        a, b = features.axis(i), features.axis(j)
+        number = next(n for x, y, n in features.planes if {x, y} == {i, j})
+        corner = features.points[number].position
+        offset = subtract(features.points[p].position, corner)
+        return [dot(cross(a.direction, b.direction), offset)]
+
+    return scalars
+
+
+def _meet(i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:
+    def scalars(features: Features[S]) -> Sequence[S]:
+        a, b = features.axis(i), features.axis(j)
+        assert a.point is not None
+        assert b.point is not None
+        return [dot(cross(a.direction, b.direction), subtract(b.point, a.point))]
+
+    return scalars
+
+
+def _line_meets_axis(
+    p: int, q: int, k: str
+) -> Callable[[Features[S]], Sequence[S]]:
+    def scalars(features: Features[S]) -> Sequence[S]:
+        axis = features.axis(k)
+        assert axis.point is not None
+        start = features.points[p].position
+        along = subtract(features.points[q].position, start)
+        return [dot(cross(along, axis.direction), subtract(start, axis.point))]
+
+    return scalars
+
+
+def _normal_in_plane(
+    p: int, k: str, i: str, j: str
+) -> Callable[[Features[S]], Sequence[S]]:
+    def scalars(features: Features[S]) -> Sequence[S]:
+        axis = features.axis(k)
+        assert axis.point is not None
+        offset = subtract(features.points[p].position, axis.point)
+        normal = cross(features.axis(i).direction, features.axis(j).direction)
+        return [dot(cross(axis.direction, offset), normal)]
+
+    return scalars
+
+
+def _directions_coplanar(
+    i: str, j: str, k: str
+) -> Callable[[Features[S]], Sequence[S]]:
+    return lambda f: [
+        dot(
+            cross(f.axis(i).direction, f.axis(j).direction),
+            f.axis(k).direction,
+        )
+    ]

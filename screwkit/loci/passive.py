@@ -1,0 +1,178 @@
+"""The twists that stay when some joints are locked: ranks, determinants, freedoms.
+
+One table of minors per limb serves every choice of locked joints: the determinant of
+the passive columns of the loop constraint matrix is the join of the duals of the limbs'
+passive twists.  Whether the platform can move is read from ranks at exact points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
+
+from flint import nmod_mat
+
+from screwkit.algebra.minors import MinorTable, combined, joined, minor_table
+from screwkit.algebra.points import Point, residue
+from screwkit.algebra.trigonometric import Polynomial
+from screwkit.kinematics.assembly import Assembly
+
+
+@dataclass(frozen=True)
+class PassiveState:
+    """What can move with some joints locked.
+
+    Attributes:
+        limbs: Ranks of the limbs' passive twists.
+        loop: Rank of the passive columns of the loop constraint matrix.
+        passive: Number of passive joints.
+    """
+
+    limbs: tuple[int, ...]
+    loop: int
+    passive: int
+
+    @property
+    def mobility(self) -> int:
+        """Dimension of the motions that are left."""
+        return self.passive - self.loop
+
+    @property
+    def platform_freedom(self) -> int:
+        """Dimension of the platform's twists that are left."""
+        return self.mobility - (self.passive - sum(self.limbs))
+
+
+class RankTable:
+    """Ranks of any passive joints at one exact point; columns are evaluated once."""
+
+    def __init__(
+        self, limbs: Sequence[Mapping[str, Sequence[int]]], prime: int
+    ) -> None:
+        self._limbs = limbs
+        self._prime = prime
+        self._limb_ranks: dict[tuple[int, frozenset[str]], int] = {}
+        loops = len(limbs) - 1
+        self._rows: dict[str, list[int]] = {}
+        for number, limb in enumerate(limbs):
+            for joint, twist in limb.items():
+                values = [int(x) for x in twist]
+                if number == 0:
+                    self._rows[joint] = values * max(loops, 1)
+                else:
+                    before, after = 6 * (number - 1), 6 * (loops - number)
+                    self._rows[joint] = [0] * before + values + [0] * after
+
+    def loop_rank(self, joints: Collection[str]) -> int:
+        """Rank of these columns of the loop constraint matrix."""
+        if len(self._limbs) < 2:
+            return 0
+        rows = [self._rows[joint] for joint in joints]
+        return self._rank(rows)
+
+    def state(self, joints: Collection[str]) -> PassiveState:
+        """What can move when only these joints can."""
+        ranks = []
+        for number, limb in enumerate(self._limbs):
+            chosen = frozenset(joint for joint in limb if joint in joints)
+            key = number, chosen
+            if key not in self._limb_ranks:
+                rows = [[int(x) for x in limb[joint]] for joint in chosen]
+                self._limb_ranks[key] = self._rank(rows)
+            ranks.append(self._limb_ranks[key])
+        return PassiveState(tuple(ranks), self.loop_rank(joints), len(joints))
+
+    def _rank(self, rows: Sequence[Sequence[int]]) -> int:
+        if not rows:
+            return 0
+        flat = [x for row in rows for x in row]
+        return int(nmod_mat(len(rows), len(rows[0]), flat, self._prime).rank())
+
+
+class PassiveSystem:
+    """All choices of locked joints of one assembly."""
+
+    def __init__(self, assembly: Assembly) -> None:
+        self.assembly = assembly
+        self.joints = assembly.joints
+
+    @cached_property
+    def generic(self) -> tuple[RankTable, RankTable]:
+        """Ranks at two random exact postures."""
+        first, second = (
+            RankTable(
+                [{j: twists[j] for j in limb.joints} for limb in self.assembly.limbs],
+                prime,
+            )
+            for twists, prime in self.assembly.random_postures
+        )
+        return first, second
+
+    def generic_state(self, passive: Collection[str]) -> PassiveState:
+        """Generic over all symbols: the larger rank of two points is the true one."""
+        one, two = (table.state(passive) for table in self.generic)
+        return PassiveState(
+            tuple(map(max, one.limbs, two.limbs)), max(one.loop, two.loop), one.passive
+        )
+
+    def table_at(self, point: Point, prime: int) -> RankTable:
+        """Ranks at an exact point of the common frame's ring."""
+        framed = self.assembly.common_twists
+        return RankTable(
+            [
+                {
+                    j: [residue(x, point, prime) for x in framed.column(j)]
+                    for j in limb.joints
+                }
+                for limb in self.assembly.limbs
+            ],
+            prime,
+        )
+
+    @cached_property
+    def _tables(self) -> tuple[MinorTable[Polynomial], ...]:
+        framed = self.assembly.common_twists
+        return tuple(
+            minor_table(framed.ring, [framed.column(j) for j in limb.joints], 6)
+            for limb in self.assembly.limbs
+        )
+
+    def _extensor(
+        self, limb: int, passive: Collection[str]
+    ) -> Mapping[int, Polynomial]:
+        joints = self.assembly.limbs[limb].joints
+        bits = sum(1 << i for i, joint in enumerate(joints) if joint in passive)
+        return self._tables[limb].get(bits, {})
+
+    def maximal_minors(self, passive: Collection[str]) -> list[Polynomial] | None:
+        """Polynomials whose common zeros are where these columns are dependent.
+
+        One determinant where the columns just fill the loop equations; several where
+        there are fewer columns, or more because limbs idle for every posture.  None
+        where this route does not apply.
+        """
+        ring = self.assembly.common_twists.ring
+        count = len(self.assembly.limbs)
+        equations = 6 * (count - 1)
+        if len(passive) < equations:
+            if count != 2:
+                return None
+            left, right = (self._extensor(i, passive) for i in range(2))
+            return list(joined(ring, left, right).values())
+        found = []
+        for chosen in self._square_choices(passive, equations):
+            extensors = [self._extensor(i, chosen) for i in range(count)]
+            if all(extensors):
+                found.extend(combined(ring, extensors, 6).values())
+        return found
+
+    def _square_choices(
+        self, passive: Collection[str], equations: int
+    ) -> list[frozenset[str]]:
+        """Choices of passive columns that are as many as the equations."""
+        if len(passive) == equations:
+            return [frozenset(passive)]
+        ordered = [joint for joint in self.joints if joint in passive]
+        return [frozenset(c) for c in combinations(ordered, equations)]
