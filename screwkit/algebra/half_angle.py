@@ -65,7 +65,7 @@ class HalfAngles:
         bounds = polynomial.degrees()
         exponents = polynomial.monoms()
         return {
-            i: max(e[s] + e[c] for e in exponents)
+            i: int(max(e[s] + e[c] for e in exponents))
             for i, (s, c) in enumerate(self._angles)
             if bounds[s] or bounds[c]
         }
@@ -124,6 +124,45 @@ class HalfAngles:
         ]
         return parts
 
+    def parted(
+        self, polynomial: Polynomial, wanted: Degrees, absent: Sequence[int]
+    ) -> list[tuple[Form, int]] | None:
+        """A factor without some generators and its cofactor, where there is one.
+
+        Such a factor divides every coefficient with respect to those generators.
+
+        Args:
+            polynomial: To be split.
+            wanted: The degree of the factor in tan(q/2), by angle.
+            absent: Positions of generators that the factor does not contain.
+        """
+        shared = [
+            i
+            for i, degree in self.degrees(polynomial).items()
+            if 0 < wanted.get(i, 0) < 2 * degree
+        ]
+        form = self.form(polynomial, shared)
+        degrees = {i: wanted[i] for i in shared}
+        slices = sorted(self._slices(form.polynomial, tuple(absent)).values(), key=len)
+        common = slices[0]
+        for part in slices[1:]:
+            bounds = common.degrees()
+            if all(bounds[self._size + i] <= degrees[i] for i in shared):
+                break
+            common = common.gcd(part)
+        common = primitive(common)
+        quotient, rest = divmod(form.polynomial, common)
+        bounds = common.degrees()
+        if rest != 0 or any(bounds[self._size + i] > degrees[i] for i in shared):
+            return None
+        others = {i: form.degrees[i] - degree for i, degree in degrees.items()}
+        parts = [Form(common, degrees), Form(primitive(quotient), others)]
+        return (
+            None
+            if any(p.polynomial.is_constant() for p in parts)
+            else [(part, 1) for part in parts]
+        )
+
     def paired(self, parts: Sequence[tuple[Form, int]]) -> list[tuple[Form, int]]:
         """Odd factors times their images under q → q + π, where all of them divide."""
         count = {form.key: multiplicity for form, multiplicity in parts}
@@ -168,6 +207,14 @@ class HalfAngles:
         ]
         return tuple(sorted(whole, key=lambda p: (len(p), str(p))))
 
+    def linear_parts(self, form: Form, angle: int) -> tuple[Polynomial, Polynomial]:
+        """(a, b) of a form a·sin(q/2) + b·cos(q/2) that is odd in this angle alone."""
+        slices = self._slices(form.polynomial, (self._size + angle,))
+        rest = {i: degree for i, degree in form.degrees.items() if i != angle}
+        zero = self._context.constant(0)
+        a, b = (self.exact(Form(slices.get((k,), zero), rest)) for k in (1, 0))
+        return a, b
+
     def value(
         self, form: Form, halves: Sequence[tuple[int, int]], rest: Sequence[int]
     ) -> int:
@@ -192,7 +239,7 @@ class HalfAngles:
             for k in symbols:
                 term *= rest[k] ** int(exponents[k])
             total += term
-        return total
+        return int(total)
 
     def _orbit(self, form: Form) -> dict[Key, Form]:
         orbit: dict[Key, Form] = {form.key: form}

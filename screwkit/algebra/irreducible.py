@@ -11,8 +11,8 @@ is irreducible, or coprime, with its degree kept mod p, is so over the rationals
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
@@ -72,8 +72,33 @@ class Layout:
                 yield (symbol,)
 
 
-def is_irreducible(layout: Layout, polynomial: Polynomial, seed: int = 1) -> bool:
-    """Whether a proof of irreducibility was found; False says nothing.
+@dataclass(frozen=True)
+class Shape:
+    """What univariate restrictions say about the factors of a polynomial.
+
+    Attributes:
+        irreducible: Proved; False says nothing.
+        free_of: Where a factor seems to be free of a variable: that variable.
+        degrees: That factor's degree in tan(q/2), by angle; 0 where it is absent.
+    """
+
+    irreducible: bool
+    free_of: Variable = ()
+    degrees: Mapping[Variable, int] = field(default_factory=dict)
+
+
+_UNKNOWN = Shape(False)
+
+
+def is_irreducible(layout: Layout, polynomial: Polynomial) -> bool:
+    """Whether a proof of irreducibility was found; see `shape`."""
+    return shape(layout, polynomial).irreducible
+
+
+def shape(layout: Layout, polynomial: Polynomial, seed: int = 1) -> Shape:
+    """Try to prove that a polynomial does not split.
+
+    A pair of half-angle factors that q → q + π exchanges counts as irreducible.
 
     Args:
         layout: Of the ring.
@@ -82,31 +107,29 @@ def is_irreducible(layout: Layout, polynomial: Polynomial, seed: int = 1) -> boo
         seed: Of the random points.
     """
     degrees = tuple(int(degree) for degree in polynomial.degrees())
-    if any(degrees[i] for i in layout.extensions):
-        return False
     variables = list(layout.variables(degrees))
+    if not variables or any(degrees[i] for i in layout.extensions):
+        return _UNKNOWN
     angles = [v for v in variables if len(v) == 2]
-    if not variables:
-        return False
     if not angles and not layout.constants:
-        return True
-    if len(variables) == 1 and len(polynomial) == 1:
-        return True  # sin q and cos q count as irreducible
+        return Shape(True)
+    if len(variables) == 1 and len(polynomial) == 1 and polynomial.total_degree() == 1:
+        return Shape(True)  # sin q and cos q count as irreducible
     terms = _Terms(layout, polynomial, random.Random(seed))
     # Over the rationals a factor free of one variable must share an angle with its
     # cofactor, else the polynomial would have split; so only angles are examined.
     suspects = variables if layout.constants else angles
-    if any(v in suspects and not terms.keeps_degree(v) for v in suspects):
-        return False
+    if not all(terms.keeps_degree(v) for v in suspects):
+        return _UNKNOWN
     linear = next((v for v in variables if len(v) == 1 and degrees[v[0]] == 1), None)
     if linear is not None:
-        return terms.coprime_beside(linear, suspects)
+        return terms.beside(linear, suspects)
     for _ in range(ATTEMPTS):
         for angle in sorted(angles, key=terms.degree):
-            if terms.restriction_is_irreducible(angle):
-                return terms.coprime_beside(angle, suspects)
+            if terms.turns_sign(angle) or terms.restriction_is_irreducible(angle):
+                return terms.beside(angle, suspects)
         terms.move()
-    return False
+    return _UNKNOWN
 
 
 class _Terms:
@@ -157,6 +180,11 @@ class _Terms:
         """Whether the restriction to a variable has the degree of the polynomial."""
         return self._full(self._restricted(variable, self._products), variable)
 
+    def turns_sign(self, angle: Variable) -> bool:
+        """Whether it is a·sin q + b·cos q, which splits, if at all, into a pair."""
+        s, c = angle
+        return self.degree(angle) == 1 and all(e[s] + e[c] for e in self._exponents)
+
     def restriction_is_irreducible(self, angle: Variable) -> bool:
         """Whether the restriction to an angle is irreducible and of full degree."""
         restricted = self._restricted(angle, self._products)
@@ -168,22 +196,23 @@ class _Terms:
         _, factors = restricted.factor()
         return len(factors) == 1 and factors[0][1] == 1
 
-    def coprime_beside(self, variable: Variable, others: Sequence[Variable]) -> bool:
-        """Whether no factor is free of ``variable`` and contains one of ``others``."""
+    def beside(self, variable: Variable, others: Sequence[Variable]) -> Shape:
+        """Whether a factor is free of ``variable`` and contains one of ``others``."""
         changed = self._drawn(variable)
         ratio = {
             position: value * pow(self._values[position], -1, self._p) % self._p
             for position, value in changed.items()
         }
         moved = self._times(self._products, ratio)
+        shared = {}
         for other in others:
-            if other == variable:
-                continue
-            first = self._restricted(other, self._products)
-            second = self._restricted(other, moved)
-            if not self._full(first, other) or first.gcd(second).degree() > 0:
-                return False
-        return True
+            if other != variable:
+                first = self._restricted(other, self._products)
+                second = self._restricted(other, moved)
+                if not self._full(first, other):
+                    return _UNKNOWN
+                shared[other] = int(first.gcd(second).degree())
+        return Shape(not any(shared.values()), variable, shared)
 
     def _full(self, restricted: Any, variable: Variable) -> bool:
         if len(variable) == 1:

@@ -8,13 +8,12 @@ sines in the order of the joints.  Angles are merged first (`angles`).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from operator import itemgetter
 from weakref import WeakKeyDictionary
 
-from screwkit.algebra.angles import Form, merged, natural
+from screwkit.algebra.angles import Form, Merged, merged, natural
 from screwkit.algebra.expression import Expression
-from screwkit.algebra.parse import parse
+from screwkit.algebra.parse import RESULT_LIMITS, parse
 from screwkit.algebra.text import expression_text
 from screwkit.algebra.trigonometric import (
     Polynomial,
@@ -33,9 +32,14 @@ def equation_text(ring: TrigonometricRing, polynomial: Polynomial) -> str:
     return _printer(ring).text(polynomial, sign_matters=False)
 
 
+def merged_text(ring: TrigonometricRing, polynomial: Merged) -> str:
+    """A polynomial as it stands in merged angles, sign included."""
+    return _printer(ring).write(polynomial, sign_matters=True)
+
+
 def to_expression(ring: TrigonometricRing, polynomial: Polynomial) -> Expression:
     """A polynomial in normal form as an expression."""
-    return parse(text(ring, polynomial))
+    return parse(text(ring, polynomial), limits=RESULT_LIMITS)
 
 
 class PolynomialPrinter:
@@ -75,11 +79,12 @@ class PolynomialPrinter:
             return str(as_fraction(polynomial))
         key = str(polynomial), sign_matters
         if key not in self._written:
-            self._written[key] = self._write(polynomial, sign_matters)
+            short = merged(self._ring, polynomial)
+            self._written[key] = self.write(short, sign_matters)
         return self._written[key]
 
-    def _write(self, polynomial: Polynomial, sign_matters: bool) -> str:
-        short = merged(self._ring, polynomial)
+    def write(self, short: Merged, sign_matters: bool) -> str:
+        """A polynomial in the angles it is given in."""
         value = short.polynomial
         if value.is_constant():
             return str(as_fraction(value))
@@ -122,7 +127,7 @@ class PolynomialPrinter:
         pieces = []
         for _, _, exponents, coefficient in terms:
             factors = [
-                name if e == 1 else f"{name}^{e}"
+                name if e == 1 else _power(name, e)
                 for name, e in zip(written, exponents, strict=False)
                 if e
             ]
@@ -148,15 +153,16 @@ def angle_text(form: Form) -> str:
     return joined[3:] if joined.startswith(" + ") else f"-{joined[3:]}"
 
 
-def rational_text(value: Fraction) -> str:
-    """``-2/3``."""
-    return str(value)
+def _power(name: str, exponent: int) -> str:
+    return f"({name})^{exponent}" if "*" in name[:2] else f"{name}^{exponent}"
 
 
-def _length_order(name: str) -> tuple[tuple[int, ...], tuple[tuple[int, object], ...]]:
-    """Letters from z to a, numbers from 0 up: r1, r3, d3."""
+def _length_order(name: str) -> tuple[bool, tuple[int, ...], object]:
+    """Numbered lengths first, letters from z to a: r1, r3, d3; then x, y, z."""
     letters = name.rstrip("0123456789_")
-    return tuple(-ord(letter) for letter in letters), natural(name[len(letters) :])
+    if letters == name:
+        return True, (), name
+    return False, tuple(-ord(letter) for letter in letters), natural(name)
 
 
 def _angle_order(form: Form) -> tuple[int, object]:

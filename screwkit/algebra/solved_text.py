@@ -1,0 +1,184 @@
+"""The pieces of a closed solution: reduced quotients and sums with multiples of π."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from screwkit.algebra.angles import Form, Merged
+from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.polynomial_text import angle_text, merged_text
+from screwkit.algebra.trigonometric import (
+    Polynomial,
+    TrigonometricRing,
+    as_fraction,
+    content,
+    primitive,
+)
+
+_SIXTH, _QUARTER, _THIRD, _HALF = (Fraction(1, n) for n in (6, 4, 3, 2))
+_ZERO, _ONE = Fraction(0), Fraction(1)
+_KNOWN: dict[str, dict[Fraction, Fraction]] = {
+    "asin": {_ZERO: _ZERO, _HALF: _SIXTH, _ONE: _HALF},
+    "acos": {_ZERO: _HALF, _HALF: _THIRD, _ONE: _ZERO},
+    "atan": {_ZERO: _ZERO, _ONE: _QUARTER},
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Quotient:
+    """A reduced quotient of polynomials in merged angles.
+
+    Attributes:
+        text: In the grammar; the sign stands in the numerator.
+    """
+
+    ring: TrigonometricRing
+    numerator: Polynomial
+    denominator: Polynomial
+    text: str
+
+    @classmethod
+    def of(
+        cls,
+        ring: TrigonometricRing,
+        angles: Merged,
+        numerator: Polynomial,
+        denominator: Polynomial,
+    ) -> Quotient:
+        """Reduce and write; the angles of the polynomials are those of ``angles``."""
+        if numerator == 0:
+            return cls(ring, numerator, ring.one, "0")
+        common = numerator.gcd(denominator)
+        above, below = numerator / common, denominator / common
+        scale = content(above) / content(below)
+        above, below = scale.p * primitive(above), scale.q * primitive(below)
+        written = merged_text(ring, replace(angles, polynomial=below))
+        if written.startswith("-"):
+            above, below = -above, -below
+            written = merged_text(ring, replace(angles, polynomial=below))
+        top = merged_text(ring, replace(angles, polynomial=above))
+        if below == 1:
+            return cls(ring, above, below, top)
+        if len(above) > 1:
+            top = f"({top})"
+        if len(below) > 1 or "*" in written:
+            written = f"({written})"
+        return cls(ring, above, below, f"{top}/{written}")
+
+    @property
+    def is_number(self) -> bool:
+        """Whether it is rational."""
+        return bool(self.numerator.is_constant() and self.denominator.is_constant())
+
+    def sign(self, assumptions: Assumptions) -> int | None:
+        """1, 0 or −1 where that is certain."""
+        above = assumptions.sign_of(self.ring, self.numerator)
+        below = assumptions.sign_of(self.ring, self.denominator)
+        return None if above is None or below is None else above * below
+
+
+@dataclass(frozen=True)
+class AngleValue:
+    """A branch: ± some inverse function, plus a multiple of π.
+
+    Attributes:
+        core: Text of the inverse function; may be empty.
+        positive: Its sign.
+        half_turns: The multiple of π.
+    """
+
+    core: str = ""
+    positive: bool = True
+    half_turns: Fraction = Fraction(0)
+
+    @classmethod
+    def inverse(cls, function: str, argument: Quotient, times: int = 1) -> AngleValue:
+        """An inverse function, or the multiple of π that it is."""
+        if argument.is_number:
+            ratio = as_fraction(argument.numerator) / as_fraction(argument.denominator)
+            known = _KNOWN[function].get(abs(ratio))
+            if known is not None:
+                turns = known
+                if ratio < 0:
+                    turns = 1 - known if function == "acos" else -known
+                return cls(half_turns=times * turns)
+        multiple = "" if times == 1 else f"{times}*"
+        return cls(f"{multiple}{function}({argument.text})")
+
+    def __neg__(self) -> AngleValue:
+        return replace(self, positive=not self.positive, half_turns=-self.half_turns)
+
+    def plus(self, half_turns: Fraction | int) -> AngleValue:
+        """Turned on; a plain multiple of π is brought into (−π, π]."""
+        total = self.half_turns + half_turns
+        if not self.core:
+            total = 1 - (1 - total) % 2
+        return replace(self, half_turns=total)
+
+
+def angle_values_text(
+    branches: Sequence[AngleValue], form: Form, variable: str
+) -> tuple[str, ...]:
+    """The branches of ``variable`` where the merged angle has the given values."""
+    sign = dict(form)[variable]
+    rest = [(n, -sign * count) for n, count in form if n != variable]
+    rest.sort(key=lambda part: part[1] < 0)
+    texts = []
+    for branch in branches:
+        value = branch if sign == 1 else -branch
+        if not value.core:
+            value = value.plus(0)
+        terms = [angle_text((part,)) for part in rest]
+        if value.core:
+            terms.append(value.core if value.positive else f"-{value.core}")
+        if value.half_turns or not terms:
+            terms.append(_turns_text(value.half_turns))
+        texts.append(_joined(terms))
+    return tuple(dict.fromkeys(texts))
+
+
+def _turns_text(half_turns: Fraction) -> str:
+    """``-pi/2``."""
+    if not half_turns:
+        return "0"
+    size = abs(half_turns.numerator)
+    text = "pi" if size == 1 else f"{size}*pi"
+    below = "" if half_turns.denominator == 1 else f"/{half_turns.denominator}"
+    return f"{'-' if half_turns < 0 else ''}{text}{below}"
+
+
+def _joined(terms: list[str]) -> str:
+    """A sum, with a positive term in front where there is one."""
+    if terms[0].startswith("-"):
+        first = next((t for t in terms if not t.startswith("-")), None)
+        if first is not None:
+            terms.remove(first)
+            terms.insert(0, first)
+    text = terms[0]
+    for term in terms[1:]:
+        text += f" - {term[1:]}" if term.startswith("-") else f" + {term}"
+    return text
+
+
+def power_slices(
+    ring: TrigonometricRing, polynomial: Polynomial, places: tuple[int, ...]
+) -> dict[tuple[int, ...], Polynomial]:
+    """The coefficients with respect to powers of some generators."""
+    parts: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
+    for exponents, coefficient in polynomial.to_dict().items():
+        rest = list(exponents)
+        for place in places:
+            rest[place] = 0
+        key = tuple(int(exponents[place]) for place in places)
+        parts.setdefault(key, {})[tuple(rest)] = coefficient
+    return {key: ring.context.from_dict(terms) for key, terms in parts.items()}
+
+
+def root_of_square(polynomial: Polynomial) -> Polynomial | None:
+    """The square root of a perfect square."""
+    try:
+        return polynomial.sqrt()
+    except Exception:  # FLINT's own DomainError for a non-square
+        return None
