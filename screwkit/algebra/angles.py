@@ -53,7 +53,9 @@ def merged(ring: TrigonometricRing, polynomial: Polynomial) -> Merged:
         forms[i] = {name: -count for name, count in forms[i].items()}
     if flipped:
         value = _with_sines(ring, value, {i: -ring.sines[i] for i in flipped})
-    value, exchanged = _shorter_squares(ring, value)
+    exchanged = frozenset[int]()
+    if len(value) <= LONGEST:
+        value, exchanged = _shorter_squares(ring, value)
     return Merged(value, tuple(_ordered(form) for form in forms), exchanged)
 
 
@@ -88,9 +90,10 @@ def _promising(
     found: Counter[tuple[int, int, int]] = Counter()
     terms = {tuple(map(int, e)): c for e, c in polynomial.to_dict().items()}
     places = {i: (ring.sine_index(i), ring.cosine_index(i)) for i in used}
+    both = [i for i in used if all(polynomial.degrees()[k] for k in places[i])]
     for exponents, coefficient in terms.items():
-        present = [i for i in used if exponents[places[i][1]]]
-        for i, j in _pairs(present, used):
+        present = [i for i in both if exponents[places[i][1]]]
+        for i, j in _pairs(present, both):
             (si, ci), (sj, cj) = places[i], places[j]
             if exponents[ci] and exponents[cj] and i < j:  # cos cos with sin sin
                 partner = _moved(exponents, (ci, cj), (si, sj))

@@ -10,7 +10,7 @@ of which only exact points are used.
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, lru_cache
@@ -44,12 +44,14 @@ class Substitution:
         relation: A further relation in one generator, (index, degree, polynomial).
         sheet: A polynomial that vanishes on this sheet of the solution and not on the
             other; None where there is one sheet only.
+        condition: What was solved.
     """
 
     images: tuple[tuple[int, Polynomial], ...]
     divisor: Polynomial
     relation: tuple[int, int, Polynomial] | None = None
     sheet: Polynomial | None = None
+    condition: Polynomial | None = None
 
 
 @dataclass(frozen=True)
@@ -80,6 +82,19 @@ class Branch:
     def sheets(self) -> tuple[Polynomial, ...]:
         """What tells this branch from the other sheets of the same conditions."""
         return tuple(step.sheet for step in self.steps if step.sheet is not None)
+
+    def equations(self, kept: Collection[str]) -> tuple[Polynomial, ...]:
+        """The conditions, those of the sheets ``kept`` sharpened to that sheet.
+
+        Args:
+            kept: Texts of the sheet polynomials that matter.
+        """
+        sharper = {
+            str(step.condition): step.sheet
+            for step in self.steps
+            if step.sheet is not None and str(step.sheet) in kept
+        }
+        return tuple(sharper.get(str(c)) or c for c in self.conditions)
 
     @property
     def divisors(self) -> list[Polynomial]:
@@ -203,7 +218,7 @@ def restricted(branch: Branch, condition: Polynomial) -> list[Branch]:
         replace(
             branch,
             conditions=conditions,
-            steps=(*branch.steps, step),
+            steps=(*branch.steps, replace(step, condition=condition)),
             pending=tuple(
                 _substituted(ring, [p], step)[0] for p in branch.pending
             ),

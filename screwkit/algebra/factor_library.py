@@ -143,6 +143,9 @@ class FactorLibrary:
         return found, polynomial
 
     def _split(self, polynomial: Polynomial) -> list[tuple[Factor, int]]:
+        found = shape(self._layout, polynomial)
+        if found.irreducible:
+            return [(self.irreducible(polynomial), 1)]
         pieces = polynomial.factor()[1]
         if len(pieces) > 1 or pieces[0][1] > 1:
             return collected(
@@ -150,8 +153,7 @@ class FactorLibrary:
                 for piece, m in pieces
                 for factor, n in self.split(primitive(piece))
             )
-        found = shape(self._layout, polynomial)
-        if found.irreducible:
+        if found.settled:
             return [(self.irreducible(polynomial), 1)]
         parts = self._parted(polynomial, found) or self._halved_once(polynomial)
         if parts is not None:

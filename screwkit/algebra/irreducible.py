@@ -78,20 +78,24 @@ class Shape:
 
     Attributes:
         irreducible: Proved; False says nothing.
+        settled: Proved, if the polynomial is irreducible when sines and cosines are
+            taken for independent generators.
         free_of: Where a factor seems to be free of a variable: that variable.
         degrees: That factor's degree in tan(q/2), by angle; 0 where it is absent.
     """
 
     irreducible: bool
+    settled: bool
     free_of: Variable = ()
     degrees: Mapping[Variable, int] = field(default_factory=dict)
 
 
-_UNKNOWN = Shape(False)
+_UNKNOWN = Shape(False, False)
+_PROVED = Shape(True, True)
 
 
 def is_irreducible(layout: Layout, polynomial: Polynomial) -> bool:
-    """Whether a proof of irreducibility was found; see `shape`."""
+    """Whether a proof was found; see `shape`."""
     return shape(layout, polynomial).irreducible
 
 
@@ -102,8 +106,7 @@ def shape(layout: Layout, polynomial: Polynomial, seed: int = 1) -> Shape:
 
     Args:
         layout: Of the ring.
-        polynomial: In normal form, and without factors as a polynomial in the
-            generators, sines and cosines being taken for independent.
+        polynomial: In normal form.
         seed: Of the random points.
     """
     degrees = tuple(int(degree) for degree in polynomial.degrees())
@@ -112,22 +115,19 @@ def shape(layout: Layout, polynomial: Polynomial, seed: int = 1) -> Shape:
         return _UNKNOWN
     angles = [v for v in variables if len(v) == 2]
     if not angles and not layout.constants:
-        return Shape(True)
+        return Shape(False, True)
     if len(variables) == 1 and len(polynomial) == 1 and polynomial.total_degree() == 1:
-        return Shape(True)  # sin q and cos q count as irreducible
+        return _PROVED  # sin q and cos q count as irreducible
     terms = _Terms(layout, polynomial, random.Random(seed))
-    # Over the rationals a factor free of one variable must share an angle with its
-    # cofactor, else the polynomial would have split; so only angles are examined.
-    suspects = variables if layout.constants else angles
-    if not all(terms.keeps_degree(v) for v in suspects):
+    if not all(terms.keeps_degree(v) for v in variables):
         return _UNKNOWN
     linear = next((v for v in variables if len(v) == 1 and degrees[v[0]] == 1), None)
     if linear is not None:
-        return terms.beside(linear, suspects)
+        return terms.beside(linear, variables)
     for _ in range(ATTEMPTS):
         for angle in sorted(angles, key=terms.degree):
             if terms.turns_sign(angle) or terms.restriction_is_irreducible(angle):
-                return terms.beside(angle, suspects)
+                return terms.beside(angle, variables)
         terms.move()
     return _UNKNOWN
 
@@ -212,7 +212,12 @@ class _Terms:
                 if not self._full(first, other):
                     return _UNKNOWN
                 shared[other] = int(first.gcd(second).degree())
-        return Shape(not any(shared.values()), variable, shared)
+        # Over the rationals a factor without sines and cosines in common with its
+        # cofactor would show with the generators taken for independent.
+        irreducible = not any(shared.values())
+        hidden = any(d for v, d in shared.items() if len(v) == 2)
+        settled = irreducible or not (hidden or self._layout.constants)
+        return Shape(irreducible, settled, variable, shared)
 
     def _full(self, restricted: Any, variable: Variable) -> bool:
         if len(variable) == 1:

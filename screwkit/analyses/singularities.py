@@ -139,20 +139,18 @@ def _intersections(
     found: list[Intersection] = []
     keys = [{str(e) for e in piece.equations} for piece in pieces]
     for i, piece in enumerate(pieces):
-        branch = piece.branches[0]
-        deeper = rank_drop(branch, columns, search)
-        for lower in _in_order(pieces_of(deeper.decomposition.branches)):
+        deeper = [
+            lower
+            for branch in piece.branches
+            for lower in rank_drop(branch, columns, search).decomposition.branches
+        ]
+        for lower in _in_order(pieces_of(deeper)):
             members = tuple(
                 n for n, other in enumerate(pieces) if _lies(lower, other)
             )
             shown = {key for n in members for key in keys[n]}
-            extra = tuple(
-                text
-                for text, equation in zip(
-                    equations_of(lower), lower.equations, strict=True
-                )
-                if str(equation) not in shown
-            )
+            texts = zip(equations_of(lower), lower.equations, strict=True)
+            extra = tuple(text for text, e in texts if str(e) not in shown)
             rank = generic_rank(lower.branches[0], columns)
             item = Intersection(members, extra, rank)
             if len(members) > 1 and i == members[0] and item not in found:

@@ -8,7 +8,7 @@ computes each of them once, when first asked for.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 
@@ -125,7 +125,8 @@ class Assembly:
         origins = [base] + [
             link for limb in self.limbs for link in limb.links[1:3] if link != base
         ]
-        return shortest_twists(self.mechanism, self._chains, origins)
+        shortest = shortest_twists(self.mechanism, self._chains, origins)
+        return replace(shortest, limbs=tuple(limb.joints for limb in self.limbs))
 
     @cached_property
     def base_twists(self) -> FramedTwists:

@@ -37,6 +37,7 @@ class FramedTwists:
         joints: Names, in the order of ``columns``.
         columns: Six polynomials each, (ω; v), cleared of divisors.
         points: A point of each axis.
+        limbs: Joint names limb by limb, where several limbs are placed together.
     """
 
     ring: TrigonometricRing
@@ -44,6 +45,14 @@ class FramedTwists:
     joints: tuple[str, ...]
     columns: tuple[tuple[Polynomial, ...], ...]
     points: tuple[Vector[Polynomial], ...]
+    limbs: tuple[tuple[str, ...], ...] = ()
+
+    def limb_of(self, joint: str) -> int:
+        """Number of the limb of a joint; 0 where there is only one."""
+        for number, joints in enumerate(self.limbs):
+            if joint in joints:
+                return number
+        return 0
 
     @property
     def terms(self) -> int:

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, product
 from typing import Generic
 
 from screwkit.algebra.ring import S
@@ -24,10 +24,12 @@ class Axis(Generic[S]):
     """The axis of a revolute joint, or the direction of a prismatic one.
 
     Attributes:
+        limb: Number of the limb, from 0.
         point: None for prismatic joints.
     """
 
     joint: str
+    limb: int
     direction: Vector[S]
     point: Vector[S] | None
 
@@ -38,15 +40,17 @@ class Point(Generic[S]):
 
     Attributes:
         joints: The axes through it.
+        own: Those of them that it is named after, all of one limb.
     """
 
     joints: tuple[str, ...]
+    own: tuple[str, ...]
     position: Vector[S]
 
     @property
     def name(self) -> str:
         """The point in words."""
-        return f"the common point of axes {listed(self.joints)}"
+        return f"the common point of axes {listed(self.own)}"
 
 
 @dataclass(frozen=True)
@@ -71,11 +75,15 @@ class Statement:
     """Something about the geometry that may hold at a posture.
 
     Attributes:
+        kind: Statements of one kind are equally simple.
         words: A sentence without full stop.
+        joints: The joints it speaks of.
         scalars: Given features over a ring, what must vanish.
     """
 
+    kind: str
     words: str
+    joints: tuple[str, ...]
     scalars: Callable[[Features[S]], Sequence[S]]  # type: ignore[valid-type]
 
 
@@ -86,64 +94,99 @@ def listed(names: Sequence[str]) -> str:
     return f"{', '.join(names[:-1])} and {names[-1]}"
 
 
-def statements(features: Features[S]) -> Iterator[Statement]:
-    """All statements of the catalogue about these features, simplest first."""
+def statements(features: Features[S]) -> list[Statement]:
+    """All statements of the catalogue about these features, simplest first.
+
+    Of two that say the same, the one about joints of a single limb comes first.
+    """
+    limb_of = {axis.joint: axis.limb for axis in features.axes}
+    found = [*_of_lines(features), *_of_planes(features), *_of_three(features)]
+    groups: dict[str, int] = {}
+    for statement in found:
+        groups.setdefault(statement.kind, len(groups))
+    return sorted(
+        found,
+        key=lambda s: (groups[s.kind], len({limb_of[j] for j in s.joints})),
+    )
+
+
+def _of_lines(features: Features[S]) -> Iterator[Statement]:
     axes = [axis.joint for axis in features.axes]
     lines = [axis.joint for axis in features.axes if axis.point is not None]
     points = range(len(features.points))
     for i, j in combinations(lines, 2):
-        yield Statement(f"axes {i} and {j} are one line", _same_line(i, j))
-    for p in points:
-        for j in lines:
-            if j not in features.points[p].joints:
-                words = f"{features.points[p].name} lies on axis {j}"
-                yield Statement(words, _point_on_axis(p, j))
+        words = f"axes {i} and {j} are one line"
+        yield Statement("line", words, (i, j), _same_line(i, j))
+    for p, j in product(points, lines):
+        point = features.points[p]
+        if j not in point.joints:
+            words = f"{point.name} lies on axis {j}"
+            yield Statement("on", words, (*point.own, j), _point_on_axis(p, j))
     for p, q in combinations(points, 2):
         words = f"{features.points[p].name} and that of {_of(features, q)} coincide"
-        yield Statement(words, _points_coincide(p, q))
-    for (i, j, _), (k, m, _) in combinations(features.planes, 2):
-        if len({i, j, k, m}) == 4:
-            words = f"the planes of axes {i}, {j} and of axes {k}, {m} are parallel"
-            yield Statement(words, _planes_parallel((i, j), (k, m)))
+        joints = (*features.points[p].own, *features.points[q].own)
+        yield Statement("coincide", words, joints, _points_coincide(p, q))
     for i, j in combinations(axes, 2):
-        yield Statement(f"axes {i} and {j} are parallel", _parallel(i, j))
-    for p in points:
-        for i, j, _ in features.planes:
-            if not {i, j} & set(features.points[p].joints):
-                words = f"{features.points[p].name} lies in the plane of axes {i}, {j}"
-                yield Statement(words, _point_in_plane(p, i, j))
+        words = f"axes {i} and {j} are parallel"
+        yield Statement("parallel", words, (i, j), _parallel(i, j))
     for i, j in combinations(axes, 2):
-        yield Statement(f"axes {i} and {j} are perpendicular", _perpendicular(i, j))
-    for (i, j, _), (k, m, _) in combinations(features.planes, 2):
-        if len({i, j, k, m}) == 4:
-            words = f"the planes of axes {i}, {j} and of axes {k}, {m} are perpendicular"
-            yield Statement(words, _planes_perpendicular((i, j), (k, m)))
+        words = f"axes {i} and {j} are perpendicular"
+        yield Statement("perpendicular", words, (i, j), _perpendicular(i, j))
     for i, j in combinations(lines, 2):
-        yield Statement(f"axes {i} and {j} lie in one plane", _meet(i, j))
-    for p, q in combinations(points, 2):
-        for k in lines:
-            if {k} & {*features.points[p].joints, *features.points[q].joints}:
-                continue
-            words = (
-                f"the line through {features.points[p].name} and that of "
-                f"{_of(features, q)} meets axis {k}"
+        words = f"axes {i} and {j} lie in one plane"
+        yield Statement("meet", words, (i, j), _meet(i, j))
+
+
+def _of_planes(features: Features[S]) -> Iterator[Statement]:
+    for (i, j, _), (k, m, _) in combinations(features.planes, 2):
+        if len({i, j, k, m}) == 4:
+            planes = f"the planes of axes {i}, {j} and of axes {k}, {m} are"
+            joints, pairs = (i, j, k, m), ((i, j), (k, m))
+            yield Statement(
+                "planes", f"{planes} parallel", joints, _planes_parallel(*pairs)
             )
-            yield Statement(words, _line_meets_axis(p, q, k))
-    for p in points:
-        for i, j in combinations(axes, 2):
-            own = features.points[p].joints
-            for k in lines:
-                if k in (i, j) or k in own:
-                    continue
-                if _adjacent(axes, i, j):
-                    words = (
-                        f"the plane through axis {k} and {features.points[p].name} "
-                        f"contains a direction normal to axes {i} and {j}"
-                    )
-                    yield Statement(words, _normal_in_plane(p, k, i, j))
+            yield Statement(
+                "normal planes",
+                f"{planes} perpendicular",
+                joints,
+                _planes_perpendicular(*pairs),
+            )
+    for p, (i, j, _) in product(range(len(features.points)), features.planes):
+        point = features.points[p]
+        if not {i, j} & set(point.joints):
+            words = f"{point.name} lies in the plane of axes {i}, {j}"
+            joints = (*point.own, i, j)
+            yield Statement("in plane", words, joints, _point_in_plane(p, i, j))
+
+
+def _of_three(features: Features[S]) -> Iterator[Statement]:
+    axes = [axis.joint for axis in features.axes]
+    lines = [axis.joint for axis in features.axes if axis.point is not None]
+    points = range(len(features.points))
+    for (p, q), k in product(combinations(points, 2), lines):
+        first, second = features.points[p], features.points[q]
+        if k in first.joints or k in second.joints:
+            continue
+        words = (
+            f"the line through {first.name} and that of {_of(features, q)} "
+            f"meets axis {k}"
+        )
+        joints = (*first.own, *second.own, k)
+        yield Statement("line meets", words, joints, _line_meets_axis(p, q, k))
+    neighbours = [(i, j) for i, j in combinations(axes, 2) if _adjacent(axes, i, j)]
+    for p, (i, j), k in product(points, neighbours, lines):
+        point = features.points[p]
+        if k in (i, j) or k in point.joints:
+            continue
+        words = (
+            f"the plane through axis {k} and {point.name} contains a direction "
+            f"normal to axes {i} and {j}"
+        )
+        joints = (*point.own, i, j, k)
+        yield Statement("normal in", words, joints, _normal_in_plane(p, k, i, j))
     for i, j, k in combinations(axes, 3):
         words = f"axes {i}, {j} and {k} are parallel to one plane"
-        yield Statement(words, _directions_coplanar(i, j, k))
+        yield Statement("directions", words, (i, j, k), _directions_coplanar(i, j, k))
 
 
 def _adjacent(axes: Sequence[str], i: str, j: str) -> bool:
@@ -151,7 +194,7 @@ def _adjacent(axes: Sequence[str], i: str, j: str) -> bool:
 
 
 def _of(features: Features[S], number: int) -> str:
-    return f"axes {listed(features.points[number].joints)}"
+    return f"axes {listed(features.points[number].own)}"
 
 
 def _same_line(i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:

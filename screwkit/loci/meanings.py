@@ -33,6 +33,7 @@ class Meanings:
         self._framed = framed
         self._root = root
         self._library = library
+        self._found: dict[frozenset[str], str | None] = {}
         self._at: dict[tuple[int, ...], Features[Residue]] = {}
 
     @cached_property
@@ -53,6 +54,12 @@ class Meanings:
 
     def of(self, piece: Piece) -> str | None:
         """A sentence that holds exactly on the piece; None where none was found."""
+        key = frozenset(_keys(piece))
+        if key not in self._found:
+            self._found[key] = self._search(piece)
+        return self._found[key]
+
+    def _search(self, piece: Piece) -> str | None:
         candidates = self._holding(piece.branches)
         for statement in candidates:
             if self._same_set(statement, piece):
@@ -100,6 +107,8 @@ class Meanings:
         if len(scalars) == 1 and len(piece.equations) == 1:
             factors = possible_factors(self._root, scalars[0], self._library)
             return [f.key for f in factors] == [str(primitive(piece.equations[0]))]
+        if len(piece.equations) == 1:
+            return self._only_there(statement, piece)
         search = Search(self._library, budget=12)
         zeros = common_zeros(self._root, scalars, search)
         pieces = pieces_of(zeros.branches)
@@ -108,6 +117,24 @@ class Meanings:
             and len(pieces) == 1
             and _keys(pieces[0]) == _keys(piece)
         )
+
+    def _only_there(self, statement: Statement, piece: Piece) -> bool:
+        """Whether the statement holds nowhere else: by a sum of squares.
+
+        A vector of real numbers vanishes exactly where the sum of its squares does.
+        """
+        ring = self._framed.ring
+        values = [ring.normal(v) for v in statement.scalars(self.features)]
+        key = str(primitive(piece.equations[0]))
+        for start in range(0, len(values), 3):
+            part = values[start : start + 3]
+            square = ring.normal(sum((v * v for v in part), ring.zero))
+            if square == 0 or len(square) > _LARGEST:
+                continue
+            factors = possible_factors(self._root, square, self._library)
+            if [f.key for f in factors] == [key]:
+                return True
+        return False
 
     def _given(self, candidates: Sequence[Statement], piece: Piece) -> str | None:
         """A statement that is the piece and one short condition more."""
@@ -137,10 +164,10 @@ class Meanings:
 
             self._at[key] = Features(
                 tuple(
-                    Axis(a.joint, at(a.direction), a.point and at(a.point))
+                    Axis(a.joint, a.limb, at(a.direction), a.point and at(a.point))
                     for a in exact.axes
                 ),
-                tuple(Point(p.joints, at(p.position)) for p in exact.points),
+                tuple(Point(p.joints, p.own, at(p.position)) for p in exact.points),
                 exact.planes,
             )
         return self._at[key]
@@ -181,7 +208,14 @@ def features_of(framed: FramedTwists) -> Features[Polynomial]:
     ):
         turning = any(value != 0 for value in column[:3])
         direction = column[:3] if turning else column[3:]
-        axes.append(Axis(joint, tuple(direction), point if turning else None))
+        axes.append(
+            Axis(
+                joint,
+                framed.limb_of(joint),
+                tuple(direction),
+                point if turning else None,
+            )
+        )
     points: list[Point[Polynomial]] = []
     for axis in axes:
         if axis.point is None:
@@ -200,7 +234,8 @@ def features_of(framed: FramedTwists) -> Features[Polynomial]:
             set(through) <= set(known.joints) for known in points
         ):
             points = [p for p in points if not set(p.joints) < set(through)]
-            points.append(Point(through, axis.point))
+            own = tuple(j for j in through if framed.limb_of(j) == axis.limb)
+            points.append(Point(through, own, axis.point))
     planes = []
     for number, point in enumerate(points):
         for i in range(len(point.joints)):

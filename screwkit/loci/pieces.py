@@ -46,7 +46,6 @@ def pieces_of(branches: Iterable[Branch]) -> list[Piece]:
 def _gathered(group: Sequence[Branch]) -> list[Piece]:
     """Branches of the same conditions, sheets told apart only where it matters."""
     by_sheets = {frozenset(str(p) for p in b.sheets): b for b in group}
-    texts = {str(p): p for branch in group for p in branch.sheets}
     classes = {sheets: {sheets} for sheets in by_sheets}
     for first, second in _opposites(group):
         merged: dict[frozenset[str], set[frozenset[str]]] = {}
@@ -67,7 +66,7 @@ def _gathered(group: Sequence[Branch]) -> list[Piece]:
         classes = merged
     return [
         Piece(
-            (*by_sheets[min(members, key=sorted)].conditions, *map(texts.get, key)),
+            by_sheets[min(members, key=sorted)].equations(key),
             tuple(by_sheets[sheets] for sheets in sorted(members, key=sorted)),
         )
         for key, members in classes.items()

@@ -145,9 +145,14 @@ def exact_features(
 
     return Features(
         tuple(
-            Axis(a.joint, at(a.direction), None if a.point is None else at(a.point))
+            Axis(
+                a.joint,
+                a.limb,
+                at(a.direction),
+                None if a.point is None else at(a.point),
+            )
             for a in exact.axes
         ),
-        tuple(Point(p.joints, at(p.position)) for p in exact.points),
+        tuple(Point(p.joints, p.own, at(p.position)) for p in exact.points),
         exact.planes,
     )

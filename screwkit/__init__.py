@@ -1,0 +1,41 @@
+"""Symbolic screw theory: mobility, singularities and actuation, derived exactly."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from screwkit.case import Case as Case
+    from screwkit.case import bundled_cases as bundled_cases
+    from screwkit.case import load as load
+    from screwkit.questions import analyze as analyze
+    from screwkit.questions import mobility as mobility
+    from screwkit.questions import schemes as schemes
+    from screwkit.questions import screws as screws
+    from screwkit.questions import singularities as singularities
+
+__version__ = "0.1.0"
+
+_HOMES = {
+    "Case": "screwkit.case",
+    "bundled_cases": "screwkit.case",
+    "load": "screwkit.case",
+    "analyze": "screwkit.questions",
+    "mobility": "screwkit.questions",
+    "schemes": "screwkit.questions",
+    "screws": "screwkit.questions",
+    "singularities": "screwkit.questions",
+}
+__all__ = [*_HOMES, "__version__"]
+
+
+def __getattr__(name: str) -> Any:
+    """Load public names when they are first used: ``import screwkit`` stays fast."""
+    if name not in _HOMES:
+        raise AttributeError(f"module 'screwkit' has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *_HOMES])

@@ -1,0 +1,163 @@
+"""What `load` returns: a mechanism, its claims, and the questions it can be asked.
+
+The exact work starts when a question is asked, and what two questions share is
+computed once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from screwkit.algebra.expression import Number
+from screwkit.algebra.names import did_you_mean
+from screwkit.algebra.parse import parse
+from screwkit.errors import UnknownCaseError, UnknownNameError
+from screwkit.mechanism.files import read_mechanism
+from screwkit.mechanism.graph import actuable_freedoms
+from screwkit.mechanism.model import Claim, Joint, Mechanism, freedom_label
+
+if TYPE_CHECKING:
+    from screwkit.kinematics.assembly import Assembly
+
+
+class Case:
+    """A mechanism file, loaded.
+
+    Attributes:
+        mechanism: What the file declares.
+    """
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        self.mechanism = mechanism
+
+    def __repr__(self) -> str:
+        return f"<screwkit case {self.mechanism.name!r}>"
+
+    @property
+    def name(self) -> str:
+        """The name in the file."""
+        return self.mechanism.name
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """The expected values that the file records."""
+        return self.mechanism.claims
+
+    @cached_property
+    def assembly(self) -> Assembly:
+        """The mechanism with its limbs resolved and its twists on demand.
+
+        Raises:
+            UndecidedError: If the mechanism is of a kind not analysed yet.
+        """
+        from screwkit.kinematics.assembly import Assembly  # noqa: PLC0415
+
+        return Assembly(self.mechanism)
+
+
+def load(
+    source: str | Path,
+    set_values: Mapping[str, object] | None = None,
+    actuated: Sequence[str] | None = None,
+) -> Case:
+    """Read a mechanism file, or a bundled case by its name.
+
+    Args:
+        source: A path, or the name of a bundled case.
+        set_values: Numbers (or texts of constant expressions) for symbols of the file.
+        actuated: Replaces the declared scheme; freedoms as in the file format.
+
+    Raises:
+        UnknownCaseError: If there is no such file and no such bundled case.
+        MechanismFileError: If the file is wrong.
+        UnknownNameError: If ``set_values`` or ``actuated`` name what is not there.
+        ExpressionError: If a value is no constant expression.
+    """
+    mechanism = read_mechanism(find(source))
+    if set_values:
+        mechanism = _with_numbers(mechanism, set_values)
+    if actuated is not None:
+        mechanism = _with_actuated(mechanism, actuated)
+    return Case(mechanism)
+
+
+def find(source: str | Path) -> Path:
+    """The file of a path or of a bundled case's name.
+
+    Raises:
+        UnknownCaseError: If there is neither.
+    """
+    path = Path(source)
+    if path.exists():
+        return path
+    bundled = {file.stem: file for file in _bundled_files()}
+    if str(source) in bundled:
+        return bundled[str(source)]
+    hint = did_you_mean(str(source), bundled)
+    raise UnknownCaseError(f"no file and no bundled case {str(source)!r}{hint}")
+
+
+def bundled_cases() -> list[str]:
+    """Names of the bundled cases, in alphabetical order."""
+    return sorted(file.stem for file in _bundled_files())
+
+
+def _bundled_files() -> list[Path]:
+    """In an installed package beside the modules, in a checkout beside the package."""
+    here = Path(__file__).parent
+    for folder in (here / "bundled", here.parent / "cases"):
+        if folder.is_dir():
+            return sorted(folder.glob("*.yaml"))
+    return []
+
+
+def _with_numbers(mechanism: Mechanism, values: Mapping[str, object]) -> Mechanism:
+    from screwkit.kinematics.values import with_values  # noqa: PLC0415
+
+    known = {p.name for p in mechanism.parameters} | set(mechanism.joint_variables)
+    expressions = {}
+    for name, value in values.items():
+        if name not in known:
+            hint = did_you_mean(name, known)
+            raise UnknownNameError(f"no symbol {name!r} in {mechanism.name}{hint}")
+        if name in mechanism.joint_variables:
+            raise UnknownNameError(
+                f"{name!r} is a joint variable; --set gives values to dimensions, "
+                f"--at to joint variables"
+            )
+        expressions[name] = parse(str(value), ())
+    for parameter in mechanism.parameters:
+        value = expressions.get(parameter.name)
+        if parameter.positive and isinstance(value, Number) and value.value <= 0:
+            raise UnknownNameError(
+                f"{parameter.name} is declared positive; {value.value} is not"
+            )
+    return with_values(mechanism, expressions)
+
+
+def _with_actuated(mechanism: Mechanism, actuated: Sequence[str]) -> Mechanism:
+    known = actuable_freedoms(mechanism)
+    for name in actuated:
+        if name not in known:
+            hint = did_you_mean(name, known)
+            raise UnknownNameError(
+                f"no actuable freedom {name!r} in {mechanism.name}{hint}"
+            )
+    return replace(
+        mechanism,
+        joints=tuple(_driven(joint, set(actuated)) for joint in mechanism.joints),
+        scheme_order=tuple(actuated),
+    )
+
+
+def _driven(joint: Joint, actuated: set[str]) -> Joint:
+    driven = tuple(
+        index
+        for index in range(len(joint.variables))
+        if freedom_label(joint, index) in actuated
+    )
+    return replace(joint, actuated=driven)
