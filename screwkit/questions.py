@@ -9,8 +9,9 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from screwkit.case import Case
+from screwkit.errors import UndecidedError
 from screwkit.progress import Progress, silent
-from screwkit.results.analysis import Analysis
+from screwkit.results.analysis import Analysis, Undecided
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import Screws
@@ -61,9 +62,39 @@ def schemes(
 def analyze(
     case: Case,
     progress: Progress = silent,
-    finished: Callable[[str, Any], None] | None = None,
+    finished: Callable[[str, Any], None] = lambda name, part: None,
 ) -> Analysis:
-    """All questions; one that cannot be decided does not stop the others."""
-    from screwkit.analyses import everything  # noqa: PLC0415
+    """All questions; one that cannot be decided does not stop the others.
 
-    return everything.analyze(case, progress, finished)
+    Args:
+        case: The mechanism.
+        progress: Told about each stage.
+        finished: Given each part as soon as it is there, by name.
+    """
+    from screwkit.claims import checked_claims  # noqa: PLC0415
+    from screwkit.mechanism.description import description  # noqa: PLC0415
+    from screwkit.reports.records import part_to_json  # noqa: PLC0415
+
+    about = description(case.mechanism)
+    finished("description", about)
+    answers: dict[str, Any] = {}
+    asked: dict[str, Callable[..., Any]] = {
+        "mobility": mobility,
+        "screws": screws,
+        "singularities": singularities,
+        "schemes": schemes,
+    }
+    for name, question in asked.items():
+        try:
+            answers[name] = question(case, progress=progress)
+        except UndecidedError as error:
+            answers[name] = Undecided(str(error))
+        finished(name, answers[name])
+    documents = {name: part_to_json(answer) for name, answer in answers.items()}
+    return Analysis(
+        case=case.name,
+        title=case.mechanism.title,
+        description=about,
+        claims=checked_claims(case.claims, documents),
+        **answers,
+    )

@@ -18,11 +18,11 @@ from dataclasses import asdict, dataclass, field
 from typing import IO, Any, Final
 
 TARGETS: Final = {
-    "mobility": "screwkit.analyses.mobility:mobility",
-    "screws": "screwkit.analyses.screws:screws",
-    "singularities": "screwkit.analyses.singularities:singularities",
-    "schemes": "screwkit.analyses.schemes:schemes",
-    "analyze": "screwkit.analyses.everything:analyze",
+    "mobility": "screwkit.questions:mobility",
+    "screws": "screwkit.questions:screws",
+    "singularities": "screwkit.questions:singularities",
+    "schemes": "screwkit.questions:schemes",
+    "analyze": "screwkit.questions:analyze",
 }
 
 

@@ -1,0 +1,105 @@
+"""The claims of a case beside what the engine finds.
+
+A claim names a place in the JSON results (``mobility.counts.gogu``); a word after ``#``
+tells several claims about one place apart and marks what can only be compared in part
+or by a reader.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from screwkit.algebra.parse import parse
+from screwkit.algebra.text import expression_text
+from screwkit.errors import ExpressionError
+from screwkit.mechanism.model import Claim
+from screwkit.results.analysis import ClaimCheck
+
+
+def checked_claims(
+    claims: Sequence[Claim], documents: Mapping[str, Any]
+) -> tuple[ClaimCheck, ...]:
+    """Each claim with the computed value and whether the two agree.
+
+    Args:
+        claims: Of the file.
+        documents: JSON results by question, ``{"mobility": {...}, …}``.
+    """
+    return tuple(_checked(claim, documents) for claim in claims)
+
+
+def _checked(claim: Claim, documents: Mapping[str, Any]) -> ClaimCheck:
+    place, _, word = claim.question.partition("#")
+    computed = value_at(documents, place)
+    agrees = agreement(claim.value, computed, claim.tolerance, partly=bool(word))
+    shown = None if isinstance(computed, dict | list) else computed
+    return ClaimCheck(
+        claim.question,
+        claim.value,
+        shown,
+        agrees,
+        claim.status,
+        claim.source,
+        claim.holds,
+        claim.note,
+    )
+
+
+def value_at(documents: Mapping[str, Any], place: str) -> Any:
+    """What stands at a dotted path; None where nothing does."""
+    value: Any = documents
+    for step in place.split("."):
+        if isinstance(value, dict) and step in value:
+            value = value[step]
+        elif isinstance(value, list) and step.isdigit() and int(step) < len(value):
+            value = value[int(step)]
+        else:
+            return None
+    return value
+
+
+def agreement(
+    claimed: Any, computed: Any, tolerance: float | None, *, partly: bool
+) -> bool | None:
+    """Whether a claimed and a computed value are equal.
+
+    None where they cannot be compared: nothing was computed, or one is prose.
+    """
+    if computed is None:
+        return None
+    if isinstance(computed, bool) or isinstance(claimed, bool):
+        return bool(claimed == computed) if type(claimed) is type(computed) else None
+    if isinstance(claimed, int | float) and isinstance(computed, int | float):
+        allowed = 0.0 if tolerance is None else tolerance
+        return abs(claimed - computed) <= allowed
+    if isinstance(claimed, list | tuple) and isinstance(computed, list):
+        return _lists(list(claimed), computed)
+    if isinstance(claimed, str) and isinstance(computed, str):
+        same = _canonical(claimed) == _canonical(computed)
+        return same if same or not partly else None
+    return None
+
+
+def _lists(claimed: list[Any], computed: list[Any]) -> bool | None:
+    """Lists of components: every claimed one must be there; other lists: equal."""
+    if all(isinstance(item, dict) for item in computed) and computed:
+        found = [{_canonical(e) for e in item.get("equations", ())} for item in computed]
+        values = [
+            [_canonical(v) for v in solution["values"]]
+            for item in computed
+            for solution in item.get("solutions", ())
+        ]
+        if all(isinstance(item, str) for item in claimed):
+            return [_canonical(item) for item in claimed] in values
+        return all({_canonical(e) for e in item} in found for item in claimed)
+    return bool(
+        [_canonical(str(v)) for v in claimed] == [_canonical(str(v)) for v in computed]
+    )
+
+
+def _canonical(text: str) -> str:
+    try:
+        return expression_text(parse(text))
+    except ExpressionError:
+        return text
