@@ -13,7 +13,7 @@ from typing import Any
 
 from flint import arb, ctx
 
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, as_fraction
 
 
 @dataclass(frozen=True)
@@ -56,8 +56,8 @@ class Assumptions:
             ring: Of the polynomial.
             polynomial: In normal form.
         """
-        if polynomial == 0:
-            return False
+        if polynomial.is_constant():
+            return bool(polynomial != 0)
         common = polynomial.term_content()
         known = self._known(ring)
         for generator, exponent in zip(known, common.monoms()[0], strict=True):
@@ -71,8 +71,9 @@ class Assumptions:
         Returns:
             None where no proof was found.
         """
-        if polynomial == 0:
-            return 0
+        if polynomial.is_constant():
+            value = as_fraction(polynomial)
+            return (value > 0) - (value < 0)
         found = self._range(ring, polynomial, self._known(ring))
         return found.sign if found.strict and found.sign else None
 

@@ -275,6 +275,8 @@ def _roots(
     ring: TrigonometricRing, short: Merged, a: Polynomial, b: Polynomial, c: Polynomial
 ) -> list[str]:
     """Both roots of ax² + bx + c."""
+    if _text(ring, short, a).startswith("-"):
+        a, b, c = -a, -b, -c
     if b == 0:
         square = Quotient.of(ring, short, -c, a).text
         return [f"sqrt({square})", f"-sqrt({square})"]

@@ -1,0 +1,173 @@
+"""Closed solutions: known ones, and every branch put back into its condition."""
+
+import math
+import random
+
+import pytest
+
+from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.expression import (
+    Call,
+    Expression,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+)
+from screwkit.algebra.expression_building import symbols_of
+from screwkit.algebra.factors import Factor, factor
+from screwkit.algebra.parse import parse
+from screwkit.algebra.polynomial_text import to_expression
+from screwkit.algebra.solve import Solved, solutions
+from screwkit.algebra.survey import SurveyRing
+from screwkit.algebra.trigonometric import TrigonometricRing
+
+POSITIVE = Assumptions(frozenset({"r1", "r3", "d3"}))
+
+
+def solved(text: str) -> list[tuple[TrigonometricRing, Factor, tuple[Solved, ...]]]:
+    expression = parse(text)
+    survey = SurveyRing()
+    evaluate(expression, survey)
+    ring = TrigonometricRing(survey)
+    found = factor(ring, evaluate(expression, ring))
+    return [(ring, part, solutions(ring, part, POSITIVE)) for part, _ in found.factors]
+
+
+def only(text: str) -> dict[str, tuple[tuple[str, ...], str]]:
+    ((_, _, found),) = solved(text)
+    return {s.variable: (s.values, s.modulo) for s in found}
+
+
+@pytest.mark.parametrize(
+    ("text", "variable", "values", "modulo"),
+    [
+        ("sin(q4)", "q4", ("0", "pi"), "pi"),
+        ("cos(q4)", "q4", ("pi/2", "-pi/2"), "pi"),
+        (
+            "r3*cos(q2) + d3*sin(q2)",
+            "q2",
+            ("atan(-r3/d3)", "atan(-r3/d3) + pi"),
+            "pi",
+        ),
+        ("r3*cos(q7) - d3*sin(q7)", "q7", ("atan(r3/d3)", "atan(r3/d3) - pi"), "pi"),
+        ("sin(q6 - q1)", "q6", ("q1", "q1 + pi"), "pi"),
+        ("a*sin(q1) + d", "q1", ("asin(-d/a)", "pi - asin(-d/a)"), "2*pi"),
+        (
+            "2*r1*cos(q2) + d3",
+            "q2",
+            ("acos(-d3/(2*r1))", "-acos(-d3/(2*r1))"),
+            "2*pi",
+        ),
+        ("2*sin(q1) + 1", "q1", ("-pi/6", "-5*pi/6"), "2*pi"),
+        ("1 + cos(q4)", "q4", ("pi",), "2*pi"),
+        (
+            "(d3^2 - r3^2)*sin(q2 - q7) + 2*d3*r3*cos(q2 - q7)",
+            "q2",
+            ("q7 + 2*atan(d3/r3)", "q7 + 2*atan(d3/r3) - pi"),
+            "pi",
+        ),
+        ("x*sin(q1) - y", "x", ("y/sin(q1)",), ""),
+        (
+            "x^2 + x*y + 1",
+            "x",
+            ("(-y + sqrt(y^2 - 4))/2", "(-y - sqrt(y^2 - 4))/2"),
+            "",
+        ),
+        ("x^3 + y", "y", ("-x^3",), ""),
+        ("r1 - d3", "d3", ("r1",), ""),
+    ],
+)
+def test_known_solutions(
+    text: str, variable: str, values: tuple[str, ...], modulo: str
+) -> None:
+    assert only(text)[variable] == (values, modulo)
+
+
+def test_a_half_angle_pair_has_one_branch() -> None:
+    found = solved("a4*(1 - cos(q4)) - d3*sin(q4)")
+    assert [(s.variable, s.values) for _, _, group in found for s in group] == [
+        ("q4", ("0",)),
+        ("q4", ("2*atan(d3/a4)",)),
+    ]
+
+
+def test_a_cubic_is_not_solved_for_its_variable() -> None:
+    assert "x" not in only("x^3 + y")
+
+
+CONDITIONS = [
+    "sin(q4)",
+    "cos(q1 + q2)",
+    "r3*cos(q2) + d3*sin(q2)",
+    "a*cos(q2) + b*sin(q2)",
+    "a*sin(q1) + b*cos(q1) + d",
+    "a*sin(q1 + q2) + b*cos(q2)",
+    "r1*sin(q1) + d3",
+    "d5*sin(q2 + q3 + q4) + a2*cos(q2) + a3*cos(q2 + q3)",
+    "4*r1^2*cos(q2)*cos(q7) + d3^2*sin(q6 - q1)^2 + 2*r1*d3*(cos(q2) + cos(q7))",
+    "r1^2*sin(q1)^2 + 2*r3*sin(q1)*cos(q1) - d3*cos(q1)^2",
+    "r1*cos(q1)^2 + d3*cos(q1) - r3",
+    "r1*sin(q1)^2 + d3*sin(q1) - r3",
+    "(d3^2 - r3^2)*sin(q2 - q7) + 2*d3*r3*cos(q2 - q7)",
+    "a4*(1 - cos(q4)) - d3*sin(q4)",
+    "cos(q1) + cos(q2)",
+    "(x - sin(q1))^2*y + x - 1",
+    "sqrt(3)*cos(q1) + sin(q1)",
+    "sqrt(x^2 + 1)*cos(q1) + y*sin(q1)",
+]
+
+
+@pytest.mark.parametrize("text", CONDITIONS)
+def test_every_branch_satisfies_the_condition(text: str) -> None:
+    source = random.Random(5)
+    count = 0
+    for ring, part, group in solved(text):
+        conditions = [to_expression(ring, e) for e in part.equations]
+        names = {name for c in conditions for name in symbols_of(c)}
+        for found in group:
+            assert len(set(found.values)) == len(found.values)
+            for value in found.values:
+                reached = False
+                for _ in range(200):
+                    point = {name: source.uniform(0.3, 2.5) for name in names}
+                    try:
+                        point[found.variable] = number(parse(value), point)
+                    except ValueError:
+                        continue  # not real at this point
+                    reached = True
+                    for condition in conditions:
+                        assert abs(number(condition, point)) < 1e-8
+                assert reached, value
+                count += 1
+    assert count
+
+
+def number(expression: Expression, point: dict[str, float]) -> float:
+    """The value in floating point.
+
+    Raises:
+        ValueError: If it is not real.
+    """
+    match expression:
+        case Number(value):
+            return float(value)
+        case Pi():
+            return math.pi
+        case Symbol(name):
+            return point[name]
+        case Sum(terms):
+            return sum(number(term, point) for term in terms)
+        case Product(factors):
+            return math.prod(number(f, point) for f in factors)
+        case Quotient(above, below):
+            return number(above, point) / number(below, point)
+        case Power(base, exponent):
+            return number(base, point) ** exponent
+        case Call(function, arguments):
+            values = [number(argument, point) for argument in arguments]
+            return float(getattr(math, function)(*values))
