@@ -84,7 +84,9 @@ def agreement(
 def _lists(claimed: list[Any], computed: list[Any]) -> bool | None:
     """Lists of components: every claimed one must be there; other lists: equal."""
     if all(isinstance(item, dict) for item in computed) and computed:
-        found = [{_canonical(e) for e in item.get("equations", ())} for item in computed]
+        found = [
+            {_canonical(e) for e in item.get("equations", ())} for item in computed
+        ]
         values = [
             [_canonical(v) for v in solution["values"]]
             for item in computed

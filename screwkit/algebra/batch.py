@@ -57,7 +57,7 @@ class BatchRing:
         return self.values[name]
 
     def cosine_sine(self, angle: str) -> tuple[Array, Array]:
-        """numpy's cos and sin, computed once per angle."""
+        """Numpy's cos and sin, computed once per angle."""
         if angle not in self._pairs:
             value = self.symbol(angle)
             self._pairs[angle] = (np.cos(value), np.sin(value))
@@ -74,11 +74,11 @@ class BatchRing:
         return np.asarray(cosine), np.asarray(sine)
 
     def radians(self, value: Fraction) -> tuple[Array, Array]:
-        """cos and sin of a constant."""
+        """Cos and sin of a constant."""
         return np.cos(np.asarray(float(value))), np.sin(np.asarray(float(value)))
 
     def square_root(self, radicand: Expression, value: Array) -> Array:
-        """numpy's square root; nan where the radicand is negative."""
+        """Numpy's square root; nan where the radicand is negative."""
         with np.errstate(invalid="ignore"):
             return np.asarray(np.sqrt(value))
 

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any
+from weakref import WeakKeyDictionary
 
 from flint import fmpz, nmod_mat, nmod_poly
 
@@ -45,6 +46,7 @@ class Substitution:
         sheet: A polynomial that vanishes on this sheet of the solution and not on the
             other; None where there is one sheet only.
         condition: What was solved.
+        companions: Further equations of a condition that takes several.
     """
 
     images: tuple[tuple[int, Polynomial], ...]
@@ -52,6 +54,7 @@ class Substitution:
     relation: tuple[int, int, Polynomial] | None = None
     sheet: Polynomial | None = None
     condition: Polynomial | None = None
+    companions: tuple[Polynomial, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -89,12 +92,17 @@ class Branch:
         Args:
             kept: Texts of the sheet polynomials that matter.
         """
-        sharper = {
-            str(step.condition): step.sheet
-            for step in self.steps
-            if step.sheet is not None and str(step.sheet) in kept
-        }
-        return tuple(sharper.get(str(c)) or c for c in self.conditions)
+        sharper: dict[str, tuple[Polynomial, ...]] = {}
+        for step in self.steps:
+            if step.sheet is not None and str(step.sheet) in kept:
+                sharper[str(step.condition)] = (step.sheet,)
+            elif step.companions:
+                sharper[str(step.condition)] = (step.condition, *step.companions)
+        return tuple(
+            equation
+            for condition in self.conditions
+            for equation in sharper.get(str(condition), (condition,))
+        )
 
     @property
     def divisors(self) -> list[Polynomial]:
@@ -153,6 +161,8 @@ class Branch:
 
     def _attempt(self, source: random.Random, prime: int) -> Point | None:
         point = random_point(self.ring, source, prime)
+        if point is None:
+            return None
         fixed: set[int] = set()
         solved = _solve_pending(self.ring, self.pending, point, source, prime)
         if solved is None:
@@ -194,12 +204,16 @@ def _primes() -> tuple[int, ...]:
     return tuple(found)
 
 
-def restricted(branch: Branch, condition: Polynomial) -> list[Branch]:
+def restricted(
+    branch: Branch, condition: Polynomial, companions: tuple[Polynomial, ...] = ()
+) -> list[Branch]:
     """The parts of ``branch`` on which ``condition`` vanishes.
 
     Args:
         branch: Where ``condition`` is irreducible and not zero.
         condition: In the generators that are left on the branch.
+        companions: Further equations of a half-angle condition, which together with
+            ``condition`` say what no single equation says.
 
     Returns:
         The sheets of the solution; a single branch with a pending condition where it
@@ -208,23 +222,64 @@ def restricted(branch: Branch, condition: Polynomial) -> list[Branch]:
     ring = branch.ring
     conditions = (*branch.conditions, condition)
     steps = _steps(branch, condition)
+    if companions:
+        steps = _half_angle_steps(branch, condition, companions)
     if steps is None:
         return [
-            replace(
-                branch, conditions=conditions, pending=(*branch.pending, condition)
-            )
+            replace(branch, conditions=conditions, pending=(*branch.pending, condition))
         ]
     return [
         replace(
             branch,
             conditions=conditions,
-            steps=(*branch.steps, replace(step, condition=condition)),
-            pending=tuple(
-                _substituted(ring, [p], step)[0] for p in branch.pending
+            steps=(
+                *branch.steps,
+                replace(step, condition=condition, companions=companions),
             ),
+            pending=tuple(_substituted(ring, [p], step)[0] for p in branch.pending),
         )
         for step in steps
     ]
+
+
+@dataclass(frozen=True)
+class Split:
+    """A condition A·x + B = 0 solved for x where A ≠ 0, and what that leaves out.
+
+    Attributes:
+        solved: The part on which A is nowhere zero.
+        left: A and B, which both vanish on the rest.
+    """
+
+    solved: Branch
+    left: tuple[Polynomial, Polynomial]
+
+
+def split(branch: Branch, condition: Polynomial) -> Split | None:
+    """Solve a condition for the symbol with the shortest coefficient, if there is one.
+
+    Unlike `restricted` this leaves a rest, which the caller has to search as well.
+    """
+    ring = branch.ring
+    degrees = condition.degrees()
+    best: tuple[int, int] | None = None
+    for index in ring.symbol_indices():
+        if degrees[index] == 1:
+            size = len(linear_parts(ring, condition, index)[0])
+            if best is None or size < best[0]:
+                best = size, index
+    if best is None:
+        return None
+    factor, rest = linear_parts(ring, condition, best[1])
+    step = Substitution(((best[1], -rest),), factor, condition=condition)
+    pending = tuple(_substituted(ring, [p], step)[0] for p in branch.pending)
+    solved = replace(
+        branch,
+        conditions=(*branch.conditions, condition),
+        steps=(*branch.steps, step),
+        pending=pending,
+    )
+    return Split(solved, (factor, rest))
 
 
 def is_solvable(branch: Branch, condition: Polynomial) -> bool:
@@ -233,6 +288,22 @@ def is_solvable(branch: Branch, condition: Polynomial) -> bool:
 
 
 def _steps(branch: Branch, condition: Polynomial) -> list[Substitution] | None:
+    """How to solve a condition; the answer depends on nothing but the condition."""
+    ring = branch.ring
+    known = _SOLVED.setdefault(ring, {})
+    key = str(condition), branch.assumptions
+    if key not in known:
+        known[key] = _attempts(branch, condition)
+    return known[key]
+
+
+_SOLVED: WeakKeyDictionary[
+    TrigonometricRing,
+    dict[tuple[str, Assumptions], list[Substitution] | None],
+] = WeakKeyDictionary()
+
+
+def _attempts(branch: Branch, condition: Polynomial) -> list[Substitution] | None:
     ring = branch.ring
     for attempt in (
         _angle_steps(ring, condition),
@@ -276,6 +347,29 @@ def _angle_steps(
     return None
 
 
+def _half_angle_steps(
+    branch: Branch, condition: Polynomial, companions: Sequence[Polynomial]
+) -> list[Substitution] | None:
+    """Two linear equations in the sine and cosine of one angle: one sheet."""
+    ring = branch.ring
+    for angle in range(len(ring.basis)):
+        rows = [angle_parts(ring, e, angle) for e in (condition, *companions)]
+        found = [row for row in rows if row is not None]
+        if len(found) != 2 or len(found) != len(rows):
+            continue
+        (p, q, r), (u, v, w) = found
+        divisor = ring.normal(p * v - q * u)
+        if divisor == 0 or not branch.assumptions.is_nonzero(ring, divisor):
+            continue
+        sine = ring.normal(q * w - r * v)
+        cosine = ring.normal(r * u - p * w)
+        if ring.normal(sine * sine + cosine * cosine - divisor * divisor) != 0:
+            continue
+        images = ((ring.sine_index(angle), sine), (ring.cosine_index(angle), cosine))
+        return [Substitution(images, divisor)]
+    return None
+
+
 def _sheet(
     ring: TrigonometricRing, angle: int, cosine: Polynomial, sine: Polynomial
 ) -> Polynomial:
@@ -311,9 +405,7 @@ def _constant_angle_steps(
     return None
 
 
-def _symbol_steps(
-    branch: Branch, condition: Polynomial
-) -> list[Substitution] | None:
+def _symbol_steps(branch: Branch, condition: Polynomial) -> list[Substitution] | None:
     """A·x + B = 0 where A and B have no common zero: x = −B/A."""
     ring = branch.ring
     degrees = condition.degrees()
@@ -391,19 +483,14 @@ def _substituted(
             gens[index] = image * scale
         replaced = [_composed(value, gens) for value in values]
     else:
-        ((index, numerator),) = step.images
-        power = max((int(v.degrees()[index]) for v in values if v != 0), default=0)
-        replaced = [
-            _fraction_free(ring, value, index, numerator, step.divisor, power)
-            for value in values
-        ]
+        indices = [index for index, _ in step.images]
+        power = max((_degree_in(v, indices) for v in values), default=0)
+        replaced = [_fraction_free(ring, value, step, power) for value in values]
     normal = [ring.normal(value) for value in replaced]
     if step.relation is not None:
         index, degree, relation = step.relation
         normal = [
-            divmod(v, relation)[1]
-            if v != 0 and v.degrees()[index] >= degree
-            else v
+            divmod(v, relation)[1] if v != 0 and v.degrees()[index] >= degree else v
             for v in normal
         ]
     return normal
@@ -413,26 +500,38 @@ def _composed(value: Polynomial, images: Sequence[Polynomial]) -> Polynomial:
     return value if value.is_constant() else value.compose(*images)
 
 
+def _degree_in(value: Polynomial, indices: Sequence[int]) -> int:
+    """Largest total degree in some generators."""
+    if value.is_constant():
+        return 0
+    degrees = value.degrees()
+    if len(indices) == 1:
+        return int(degrees[indices[0]])
+    if not any(degrees[i] for i in indices):
+        return 0
+    return max(int(sum(e[i] for i in indices)) for e in value.monoms())
+
+
 def _fraction_free(
-    ring: TrigonometricRing,
-    value: Polynomial,
-    index: int,
-    numerator: Polynomial,
-    divisor: Polynomial,
-    power: int,
+    ring: TrigonometricRing, value: Polynomial, step: Substitution, power: int
 ) -> Polynomial:
-    """divisor^power · value at x = numerator/divisor."""
+    """divisor^power · value with each generator replaced by image/divisor."""
     if value == 0:
         return value
-    if not value.degrees()[index]:
-        return value * divisor**power
-    parts: dict[int, dict[tuple[int, ...], Any]] = {}
+    indices = [index for index, _ in step.images]
+    if value.is_constant() or not any(value.degrees()[i] for i in indices):
+        return value * step.divisor**power
+    parts: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
     for exponents, coefficient in value.to_dict().items():
-        rest = tuple(0 if i == index else e for i, e in enumerate(exponents))
-        parts.setdefault(int(exponents[index]), {})[rest] = coefficient
+        rest = tuple(0 if i in indices else e for i, e in enumerate(exponents))
+        key = tuple(int(exponents[i]) for i in indices)
+        parts.setdefault(key, {})[rest] = coefficient
     total = ring.zero
-    for k, terms in parts.items():
-        total += ring.context.from_dict(terms) * numerator**k * divisor ** (power - k)
+    for key, terms in parts.items():
+        term = ring.context.from_dict(terms) * step.divisor ** (power - sum(key))
+        for (_, image), exponent in zip(step.images, key, strict=True):
+            term = term * image**exponent
+        total += term
     return total
 
 

@@ -94,7 +94,9 @@ class ConstantField:
             total: Combination = {}
             for radicand, coefficient in terms.items():
                 for key, value in self.square_root(Fraction(radicand)).items():
-                    total[key] = total.get(key, Fraction(0)) + sign * coefficient * value
+                    total[key] = (
+                        total.get(key, Fraction(0)) + sign * coefficient * value
+                    )
             return total
         raise KeyError(half_turns)
 

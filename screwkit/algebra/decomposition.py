@@ -22,11 +22,11 @@ from screwkit.algebra.branches import (
     angle_parts,
     is_solvable,
     restricted,
+    split,
 )
 from screwkit.algebra.factors import Factor, FactorLibrary, factor
 from screwkit.algebra.points import residue
 from screwkit.algebra.trigonometric import Polynomial, primitive
-
 
 _SHORT = 24  # terms of a polynomial from which resolvents are formed
 _PAIRS = 6
@@ -111,8 +111,8 @@ def _descend(
         search.unfinished.append(branch)
         return
     excluded = list(nonzero)
-    for condition in choice:
-        for child in restricted(branch, condition):
+    for case in choice:
+        for child in _children(branch, case, left, excluded, search):
             step = child.steps[len(branch.steps) :]
             on_child = replace_steps(child, step)
             kept = [on_child.value(p) for p in excluded]
@@ -120,7 +120,36 @@ def _descend(
             if any(p == 0 for p in kept):
                 continue
             _descend(child, [on_child.value(p) for p in left], kept, search)
-        excluded.append(condition)
+        if len(case.equations) == 1:
+            excluded.append(case.equations[0])
+
+
+def _children(
+    branch: Branch,
+    case: Factor,
+    left: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> list[Branch]:
+    """The parts of the branch where a condition holds.
+
+    Where it is solved for a symbol under the proviso that a coefficient is not zero,
+    the rest is searched at once.
+    """
+    condition, companions = case.equations[0], case.equations[1:]
+    if companions:
+        return restricted(branch, condition, companions)
+    if branch.pending and not is_solvable(branch, condition):
+        parts = split(branch, condition)
+        if parts is not None:
+            on_child = replace_steps(branch, parts.solved.steps[len(branch.steps) :])
+            remaining = [on_child.value(p) for p in left]
+            if _still_open(parts.solved, remaining, search) == []:
+                # The solved part is dense in the zeros of the condition.
+                return [parts.solved]
+            _descend(branch, [*parts.left, *left], list(nonzero), search)
+            return [parts.solved]
+    return restricted(branch, condition)
 
 
 def replace_steps(branch: Branch, steps: Sequence[Substitution]) -> Branch:
@@ -153,34 +182,39 @@ def _shortest_choice(
     polynomials: Sequence[Polynomial],
     nonzero: Sequence[Polynomial],
     search: Search,
-) -> list[Polynomial] | None:
+) -> list[Factor] | None:
     """The irreducible factors of the polynomial that leaves the fewest, shortest cases.
 
     An empty list where some polynomial has no zero on the branch; None where all are
     too long to be factored.
     """
     excluded = _factor_keys(branch, nonzero, search)
-    best: list[Polynomial] | None = None
+    best: list[Factor] | None = None
     for polynomial in _with_resolvents(branch, polynomials)[:_TRIED]:
         if len(polynomial) > search.largest:
             break
         cases = possible_factors(branch, polynomial, search.library)
         cases = [f for f in cases if f.key not in excluded]
-        conditions = [f.equations[0] for f in cases]
-        if not conditions:
+        if not cases:
             return []
-        if best is None or _cost(branch, conditions) < _cost(branch, best):
-            best = conditions
+        if best is None or _cost(branch, cases) < _cost(branch, best):
+            best = cases
         if _cost(branch, best) <= (0, 2):
             break
-    return None if best is None else sorted(best, key=len)
+    if best is None:
+        return None
+    return sorted(best, key=lambda f: (len(f.equations), len(f.equations[0])))
 
 
-def _cost(branch: Branch, conditions: Sequence[Polynomial]) -> tuple[int, int]:
+def _cost(branch: Branch, cases: Sequence[Factor]) -> tuple[int, int]:
     """Conditions that cannot be solved are dear, many simple ones are cheap."""
     return (
-        sum(len(c) for c in conditions if not is_solvable(branch, c)),
-        len(conditions),
+        sum(
+            len(f.equations[0])
+            for f in cases
+            if len(f.equations) == 1 and not is_solvable(branch, f.equations[0])
+        ),
+        len(cases),
     )
 
 
@@ -218,8 +252,7 @@ def _factor_keys(
     for polynomial in polynomials:
         if len(polynomial) <= search.largest:
             keys |= {
-                f.key
-                for f in possible_factors(branch, polynomial, search.library)
+                f.key for f in possible_factors(branch, polynomial, search.library)
             }
     return keys
 

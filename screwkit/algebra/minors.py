@@ -67,9 +67,7 @@ def _extended(
     return {rows: value for rows, value in normal.items() if not ring.is_zero(value)}
 
 
-def minors_of(
-    ring: Ring[S], columns: Sequence[Sequence[S]]
-) -> dict[Bits, S]:
+def minors_of(ring: Ring[S], columns: Sequence[Sequence[S]]) -> dict[Bits, S]:
     """The minors that take all ``columns``, by row set."""
     minors: dict[Bits, S] = {0: ring.one}
     for column in columns:
@@ -94,9 +92,7 @@ def complement_sign(rows: Bits, height: int) -> int:
     return -1 if inversions & 1 else 1
 
 
-def dual(
-    ring: Ring[S], minors: Mapping[Bits, S], height: int
-) -> dict[Bits, S]:
+def dual(ring: Ring[S], minors: Mapping[Bits, S], height: int) -> dict[Bits, S]:
     """Dual of an extensor: of twists, the extensor of their reciprocal wrenches.
 
     The row numbers of the result count the six coordinates of a linear form, that is

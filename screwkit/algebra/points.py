@@ -16,6 +16,7 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 Point: TypeAlias = list[int]
 PRIME = 2**61 - 1
+_ATTEMPTS = 8
 
 
 def residue(value: Polynomial, point: Sequence[int], prime: int = PRIME) -> int:
@@ -31,12 +32,16 @@ def residue(value: Polynomial, point: Sequence[int], prime: int = PRIME) -> int:
 
 def random_point(
     ring: TrigonometricRing, source: random.Random, prime: int = PRIME
-) -> Point:
-    """A uniformly random point, drawn again where a root does not exist mod p."""
-    while True:
+) -> Point | None:
+    """A random point, drawn again where a root does not exist mod p.
+
+    None where no point was found, as for a prime without √3 in a ring with √3.
+    """
+    for _ in range(_ATTEMPTS):
         point = _attempt(ring, source, prime)
         if point is not None:
             return point
+    return None
 
 
 def _attempt(

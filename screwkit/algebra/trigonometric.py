@@ -66,9 +66,7 @@ class TrigonometricRing:
         angles = [*survey.angles]
         self.basis = tuple(plain_basis(angles) if basis is None else basis)
         self._rational_angles = tuple(survey.constant_angles)
-        self.basis += tuple(
-            ((str(angle), 1),) for angle in self._rational_angles
-        )
+        self.basis += tuple(((str(angle), 1),) for angle in self._rational_angles)
         self.symbols = tuple(survey.symbols)
         self._constants = ConstantField.needed_by(
             [r.value for r in survey.roots if isinstance(r, Number)], survey.turn
@@ -93,9 +91,7 @@ class TrigonometricRing:
         self._one = self.context.constant(1)
         self.sines = tuple(gens[f"s{i}"] for i in range(count))
         self.cosines = tuple(gens[f"c{i}"] for i in range(count))
-        self._symbol = {
-            name: gens[f"x{i}"] for i, name in enumerate(self.symbols)
-        }
+        self._symbol = {name: gens[f"x{i}"] for i, name in enumerate(self.symbols)}
         self._relations: list[tuple[int, int, Polynomial]] = []
         index = {name: i for i, name in enumerate(names)}
         for s, c, i in zip(self.sines, self.cosines, range(count), strict=True):
@@ -330,7 +326,7 @@ def content(value: Polynomial) -> Any:
 def _polynomial_root(value: Polynomial) -> Polynomial | None:
     try:
         return value.sqrt()
-    except Exception:  # noqa: BLE001  FLINT's own DomainError for a non-square
+    except Exception:
         return None
 
 

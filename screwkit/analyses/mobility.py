@@ -137,7 +137,9 @@ def _special(assembly: Assembly) -> SpecialValues | None:
         ("couples", generic.couples, platform.couples),
     ):
         if before != after:
-            differences.append(f"{name} {after} at the values of the file, not {before}")
+            differences.append(
+                f"{name} {after} at the values of the file, not {before}"
+            )
     return SpecialValues(
         loop_rank=rank,
         redundant_constraints=6 * at_values.loops - rank,
@@ -156,7 +158,9 @@ def _counts(assembly: Assembly) -> tuple[Counts, tuple[Working, ...]]:
     redundant = 6 * loops - rank
     remark = ""
     if redundant:
-        remark = f"{redundant} of the {6 * loops} closure equations follow from the others"
+        remark = (
+            f"{redundant} of the {6 * loops} closure equations follow from the others"
+        )
     workings = [
         Working(
             "Grübler–Kutzbach",
@@ -216,9 +220,8 @@ def _gogu(assembly: Assembly, movable: int) -> tuple[int, Working]:
     value = freedoms - sum(sizes) + least
     exact = platform_system(assembly).freedom
     spaces = " ∩ ".join(f"E_{limb.name}" for limb in assembly.limbs)
-    remark = (
-        f"{sum(histogram.values())} choices of coordinate bases: "
-        + ", ".join(f"{n} share {size}" for size, n in sorted(histogram.items()))
+    remark = f"{sum(histogram.values())} choices of coordinate bases: " + ", ".join(
+        f"{n} share {size}" for size, n in sorted(histogram.items())
     )
     if least != exact:
         remark += f"; the spaces themselves share {exact}"
@@ -237,8 +240,7 @@ def _screw(assembly: Assembly) -> tuple[int, Working]:
     """Freedoms of the platform, and what the limbs can do by themselves."""
     platform = platform_system(assembly)
     idle = sum(
-        len(limb.joints) - assembly.generic_rank(limb.joints)
-        for limb in assembly.limbs
+        len(limb.joints) - assembly.generic_rank(limb.joints) for limb in assembly.limbs
     ) + len(assembly.free_joints)
     wrenches = " + ".join(f"W_{limb.name}" for limb in assembly.limbs) or "0"
     formula = f"6 - dim({wrenches}) = 6 - {6 - platform.freedom}"

@@ -16,6 +16,7 @@ from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import Search, common_zeros
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.minors import minors_of
+from screwkit.algebra.points import residue
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.kinematics.assembly import Assembly
@@ -25,7 +26,6 @@ from screwkit.loci.pieces import Piece, lies_in, pieces_of
 from screwkit.loci.rank_drop import rank_drop
 from screwkit.loci.wording import conditions_of, equations_of
 from screwkit.loci.wrenches import null_wrench
-from screwkit.algebra.points import residue
 from screwkit.results.mobility import MotionCase
 
 _BUDGET = 60
@@ -78,7 +78,12 @@ def motion_cases(assembly: Assembly, generic: str) -> tuple[MotionCase, ...]:
 def _constraint_forces(
     assembly: Assembly,
 ) -> (
-    tuple[Branch, list[list[Polynomial]], FactorLibrary, list[list[tuple[Polynomial, ...]]]]
+    tuple[
+        Branch,
+        list[list[Polynomial]],
+        FactorLibrary,
+        list[list[tuple[Polynomial, ...]]],
+    ]
     | None
 ):
     """One wrench of every limb that has just one; None where a limb has more."""
@@ -153,4 +158,3 @@ def _changed(
 
 def _case(piece: Piece, kind: str, reason: str) -> MotionCase:
     return MotionCase(equations_of(piece), conditions_of(piece), kind, reason)
-

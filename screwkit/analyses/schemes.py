@@ -8,19 +8,21 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from itertools import combinations
 from math import comb
 
-from screwkit.algebra.factors import Factor, factor
+from screwkit.algebra.branches import restricted
+from screwkit.algebra.factors import Factor, Factored, factor
 from screwkit.algebra.polynomial_text import equation_text
-from screwkit.algebra.trigonometric import Polynomial
+from screwkit.algebra.trigonometric import primitive
 from screwkit.errors import TooLargeError, UnknownNameError
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.mirror import mirrored_joints
+from screwkit.loci.actuation import passive_joints
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.passive import PassiveSystem, RankTable
 from screwkit.loci.pieces import Piece
-from screwkit.loci.actuation import factor_branches, passive_joints
 from screwkit.loci.witness import witness
 from screwkit.progress import Progress, silent
 from screwkit.results.schemes import (
@@ -144,10 +146,17 @@ class _Work:
                 kept.append((f, n))
         return kept
 
+    def text(self, f: Factor) -> str:
+        """The factor as one equation; a half-angle factor as its square."""
+        if len(f.equations) == 1:
+            return equation_text(self.ring, f.equations[0])
+        square = Factored(Fraction(1), ((f, 2),)).expand(self.ring)
+        return equation_text(self.ring, primitive(square))
+
     def is_idle(self, f: Factor, passive: Sequence[str]) -> bool:
         """Whether the platform stays fixed on the factor: only limbs move."""
         if f.key not in self.tables:
-            branches = factor_branches(self.root, f.equations[0])
+            branches = restricted(self.root, f.equations[0], f.equations[1:])
             self.tables[f.key] = [
                 self.system.table_at(*point)
                 for branch in branches[:1]
@@ -163,11 +172,12 @@ class _Work:
         meanings = Meanings(self.assembly.common_twists, self.root, self.library)
         found = []
         for key, count in self.counts.most_common():
-            equation: Polynomial = self.seen[key].equations[0]
-            branches = tuple(factor_branches(self.root, equation))
-            meaning = meanings.of(Piece((equation,), branches)) if branches else None
-            text = equation_text(self.ring, equation)
-            found.append(LocusFactor(text, meaning, len(equation), count))
+            f = self.seen[key]
+            branches = tuple(restricted(self.root, f.equations[0], f.equations[1:]))
+            piece = Piece(f.equations, branches)
+            meaning = meanings.of(piece) if branches else None
+            terms = len(f.equations[0])
+            found.append(LocusFactor(self.text(f), meaning, terms, count))
         return tuple(sorted(found, key=lambda f: (f.terms, f.equation)))
 
 
@@ -194,14 +204,16 @@ def _scheme(work: _Work, actuated: tuple[str, ...]) -> Scheme:
         return Scheme(actuated, False, rank, reason=reason, balanced=balanced)
     locus = work.locus(passive)
     if locus is None:
-        work.open = "loci of redundant schemes with more than two limbs are not expanded"
+        work.open = (
+            "loci of redundant schemes with more than two limbs are not expanded"
+        )
         return Scheme(actuated, True, rank, balanced=balanced)
     locus.sort(key=lambda item: (len(item[0].equations[0]), item[0].key))
     texts, idle = [], []
     for f, _ in locus:
         work.counts[f.key] += 1
         work.seen[f.key] = f
-        text = equation_text(work.ring, f.equations[0])
+        text = work.text(f)
         texts.append(text)
         if work.is_idle(f, passive):
             idle.append(text)

@@ -11,11 +11,12 @@ from screwkit.algebra.decomposition import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import Assembly, SerialLimb
 from screwkit.loci.actuation import actuation_locus
+from screwkit.loci.canonical import in_known_conditions, single_conditions
 from screwkit.loci.loop_drop import LoopDrop, LoopState, loop_drop, loop_state
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece, pieces_of
 from screwkit.loci.rank_drop import generic_rank, rank_drop
-from screwkit.loci.wording import equations_of, solved_equations
+from screwkit.loci.wording import all_solutions, equations_of, solved_equations
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
     ActuationSingularities,
@@ -90,7 +91,8 @@ def limb_singularities(assembly: Assembly, limb: SerialLimb) -> LimbSingularitie
             Component(
                 equations=equations_of(piece),
                 codimension=piece.codimension,
-                solutions=solved_equations(piece),
+                solutions=all_solutions(piece),
+                solved=solved_equations(piece),
                 rank=rank,
                 geometry=meanings.of(piece),
                 wrench_dimension=6 - rank,
@@ -145,9 +147,7 @@ def _intersections(
             for lower in rank_drop(branch, columns, search).decomposition.branches
         ]
         for lower in _in_order(pieces_of(deeper)):
-            members = tuple(
-                n for n, other in enumerate(pieces) if _lies(lower, other)
-            )
+            members = tuple(n for n, other in enumerate(pieces) if _lies(lower, other))
             shown = {key for n in members for key in keys[n]}
             texts = zip(equations_of(lower), lower.equations, strict=True)
             extra = tuple(text for text, e in texts if str(e) not in shown)
@@ -175,8 +175,21 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
     limbs = [[framed.column(j) for j in limb.joints] for limb in assembly.limbs]
     drop = loop_drop(root, limbs, Search(library))
     meanings = Meanings(framed, root, library)
+    known = single_conditions(
+        [
+            piece
+            for limb in limbs
+            for piece in pieces_of(
+                rank_drop(root, limb, Search(library)).decomposition.branches
+            )
+        ]
+    )
+    pieces = [
+        in_known_conditions(piece, root, known, Search(library))
+        for piece in drop.pieces
+    ]
     components = tuple(
-        _constraint_component(piece, limbs, meanings) for piece in _in_order(drop.pieces)
+        _constraint_component(piece, limbs, meanings) for piece in _in_order(pieces)
     )
     complete = not drop.open
     return ConstraintSingularities(
@@ -206,7 +219,8 @@ def _constraint_component(
     return Component(
         equations=equations_of(piece),
         codimension=piece.codimension,
-        solutions=solved_equations(piece),
+        solutions=all_solutions(piece),
+        solved=solved_equations(piece),
         rank=state.loop,
         geometry=meanings.each_of(piece),
         wrench_dimension=state.wrench_dimension,
@@ -215,9 +229,7 @@ def _constraint_component(
     )
 
 
-def _state(
-    piece: Piece, limbs: Sequence[Sequence[Sequence[Polynomial]]]
-) -> LoopState:
+def _state(piece: Piece, limbs: Sequence[Sequence[Sequence[Polynomial]]]) -> LoopState:
     for branch in piece.branches:
         state = loop_state(branch, limbs)
         if state is not None:
@@ -236,7 +248,8 @@ def actuation_singularities(
         component = Component(
             equations=equations_of(piece),
             codimension=piece.codimension,
-            solutions=solved_equations(piece),
+            solutions=all_solutions(piece),
+            solved=solved_equations(piece),
             rank=6 - state.platform_freedom,
             geometry=meanings.each_of(piece) if meanings else None,
             wrench_dimension=6 - state.platform_freedom,

@@ -173,9 +173,7 @@ def _positive(form: dict[str, int]) -> AngleForm:
     return tuple((name, sign * form[name]) for name in ordered)
 
 
-def _axis_in_links(
-    joint: Joint, ring: Ring[S]
-) -> tuple[Vector[S], Vector[S]]:
+def _axis_in_links(joint: Joint, ring: Ring[S]) -> tuple[Vector[S], Vector[S]]:
     """The joint's z axis in the frames of its parent and of its child."""
     row = joint.mdh or MdhRow()
     cg, sg = cosine_sine(row.gamma, ring)

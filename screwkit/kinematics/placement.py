@@ -173,4 +173,3 @@ def joint_twists(
 
 
 MOVING = (JointType.REVOLUTE, JointType.PRISMATIC)
-

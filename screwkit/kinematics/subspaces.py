@@ -28,16 +28,12 @@ def annihilator(rows: Sequence[Row], width: int, prime: int) -> list[list[int]]:
     if not rows:
         return [[int(i == j) for j in range(width)] for i in range(width)]
     kernel, nullity = _matrix(rows, prime).nullspace()
-    return [
-        [int(kernel[i, j]) for i in range(width)] for j in range(int(nullity))
-    ]
+    return [[int(kernel[i, j]) for i in range(width)] for j in range(int(nullity))]
 
 
 def reciprocal(screws: Sequence[Row], prime: int) -> list[list[int]]:
     """Basis of the screws reciprocal to all of these, again (direction, moment)."""
-    return [
-        [*form[MOMENT], *form[DIRECTION]] for form in annihilator(screws, 6, prime)
-    ]
+    return [[*form[MOMENT], *form[DIRECTION]] for form in annihilator(screws, 6, prime)]
 
 
 def _matrix(rows: Sequence[Row], prime: int) -> nmod_mat:
@@ -59,9 +55,7 @@ class PlatformSystem:
     prime: int
 
     @classmethod
-    def held_by(
-        cls, limbs: Sequence[Sequence[Row]], prime: int
-    ) -> PlatformSystem:
+    def held_by(cls, limbs: Sequence[Sequence[Row]], prime: int) -> PlatformSystem:
         """The platform at the end of limbs given by their twists."""
         wrenches = [w for limb in limbs for w in reciprocal(limb, prime)]
         twists = reciprocal(wrenches, prime)

@@ -12,15 +12,13 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
-from screwkit.algebra.branches import Branch, restricted
-from screwkit.algebra.decomposition import Search, common_zeros, possible_factors
-from screwkit.algebra.trigonometric import Polynomial
+from screwkit.algebra.decomposition import Search, common_zeros
+from screwkit.algebra.minors import joined
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.passive import PassiveState, PassiveSystem
 from screwkit.loci.pieces import Piece, lies_in, pieces_of
 from screwkit.loci.rank_drop import extensors
-from screwkit.algebra.minors import joined
 from screwkit.loci.witness import witness
 
 
@@ -66,7 +64,12 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
     minors = system.maximal_minors(passive)
     if minors is None:
         return ActuationLocus(
-            True, rank, False, (), (), meanings,
+            True,
+            rank,
+            False,
+            (),
+            (),
+            meanings,
             reason="redundant actuation of more than two limbs is not expanded",
         )
     zeros = common_zeros(root, minors, Search(library))
@@ -147,17 +150,3 @@ def _inside_idle(
         finished = finished and zeros.complete
         found.extend(pieces_of(zeros.branches))
     return found, finished
-
-
-def factor_branches(root: Branch, condition: Polynomial) -> list[Branch]:
-    """The hypersurface of one irreducible factor."""
-    return restricted(root, condition)
-
-
-__all__ = [
-    "ActuationLocus",
-    "actuation_locus",
-    "factor_branches",
-    "passive_joints",
-    "possible_factors",
-]

@@ -273,9 +273,7 @@ def _meet(i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:
     return scalars
 
 
-def _line_meets_axis(
-    p: int, q: int, k: str
-) -> Callable[[Features[S]], Sequence[S]]:
+def _line_meets_axis(p: int, q: int, k: str) -> Callable[[Features[S]], Sequence[S]]:
     def scalars(features: Features[S]) -> Sequence[S]:
         axis = features.axis(k)
         assert axis.point is not None

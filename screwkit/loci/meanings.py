@@ -112,11 +112,7 @@ class Meanings:
         search = Search(self._library, budget=12)
         zeros = common_zeros(self._root, scalars, search)
         pieces = pieces_of(zeros.branches)
-        return (
-            zeros.complete
-            and len(pieces) == 1
-            and _keys(pieces[0]) == _keys(piece)
-        )
+        return zeros.complete and len(pieces) == 1 and _keys(pieces[0]) == _keys(piece)
 
     def _only_there(self, statement: Statement, piece: Piece) -> bool:
         """Whether the statement holds nowhere else: by a sum of squares.

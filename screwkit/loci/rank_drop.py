@@ -42,9 +42,7 @@ def generic_rank(branch: Branch, columns: Sequence[Column]) -> int:
     )
 
 
-def rank_drop(
-    branch: Branch, columns: Sequence[Column], search: Search
-) -> RankDrop:
+def rank_drop(branch: Branch, columns: Sequence[Column], search: Search) -> RankDrop:
     """Where on ``branch`` the columns have less than their generic rank there.
 
     Args:

@@ -10,20 +10,18 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from itertools import product
 
+from screwkit.algebra.points import Point as ExactPoint
+from screwkit.algebra.points import residue
 from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.subspaces import PlatformSystem
 from screwkit.loci.features import Features, listed
 from screwkit.loci.meanings import Residue, features_of
 from screwkit.loci.passive import PassiveSystem
-from screwkit.algebra.points import Point as ExactPoint
-from screwkit.algebra.points import residue
 from screwkit.screws.vector import cross, dot, subtract
 
 
-def witness(
-    assembly: Assembly, system: PassiveSystem, passive: Collection[str]
-) -> str:
+def witness(assembly: Assembly, system: PassiveSystem, passive: Collection[str]) -> str:
     """A sentence that explains why the platform stays movable."""
     shared = _shared_axis(assembly, passive)
     if shared is not None:
@@ -39,8 +37,7 @@ def witness(
 def _shared_axis(assembly: Assembly, passive: Collection[str]) -> str | None:
     """Passive joints, one in every limb, with one and the same twist up to a factor."""
     choices = [
-        [joint for joint in limb.joints if joint in passive]
-        for limb in assembly.limbs
+        [joint for joint in limb.joints if joint in passive] for limb in assembly.limbs
     ]
     for joints in product(*choices):
         if len(joints) > 1 and _same_twist(assembly, joints):
@@ -115,9 +112,7 @@ def _motion(
         )
     ]
     if along:
-        return (
-            f"the platform can turn about axis {along[0]}: every wrench meets it"
-        )
+        return f"the platform can turn about axis {along[0]}: every wrench meets it"
     if len(through) > 1:
         return (
             f"the platform can turn about the line through {through[0]} and "

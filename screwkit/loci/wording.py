@@ -16,27 +16,43 @@ def equations_of(piece: Piece) -> tuple[str, ...]:
     return tuple(equation_text(ring, equation) for equation in piece.equations)
 
 
-def solved_equations(piece: Piece) -> tuple[Solution, ...]:
-    """For each equation its simplest solution, where it has one."""
+def solved_equations(piece: Piece) -> tuple[Solution | None, ...]:
+    """For each equation its simplest solution, no variable twice; None without one."""
     branch = piece.branches[0]
-    found = []
-    for equation in piece.equations:
-        solved = _solved(branch.ring, equation, branch.assumptions)
-        found += [Solution(s.variable, s.values, s.modulo) for s in solved[:2]]
-    return tuple(found)
+    used: set[str] = set()
+    found: dict[int, Solution] = {}
+    # Equations in few variables choose first.
+    order = sorted(range(len(piece.equations)), key=lambda i: len(piece.equations[i]))
+    for i in order:
+        for s in _solved(branch.ring, piece.equations[i], branch.assumptions):
+            if s.variable not in used:
+                used.add(s.variable)
+                found[i] = Solution(s.variable, s.values, s.modulo)
+                break
+    return tuple(found.get(i) for i in range(len(piece.equations)))
+
+
+def all_solutions(piece: Piece) -> tuple[Solution, ...]:
+    """Every short solution of every equation."""
+    branch = piece.branches[0]
+    return tuple(
+        Solution(s.variable, s.values, s.modulo)
+        for equation in piece.equations
+        for s in _solved(branch.ring, equation, branch.assumptions)
+    )
 
 
 def conditions_of(piece: Piece) -> tuple[str, ...]:
     """Readable conditions: ``q6 = q1 (mod pi)``; the equation where unsolved."""
-    branch = piece.branches[0]
-    written = []
-    for equation in piece.equations:
-        solved = _solved(branch.ring, equation, branch.assumptions)
-        if solved:
-            written.append(solution_text(solved[0]))
-        else:
-            written.append(f"{equation_text(branch.ring, equation)} = 0")
-    return tuple(written)
+    ring = piece.branches[0].ring
+    return tuple(
+        f"{equation_text(ring, equation)} = 0"
+        if solved is None
+        else solution_text(solved)
+        for equation, solved in zip(
+            piece.equations, solved_equations(piece), strict=True
+        )
+    )
 
 
 def solution_text(solved: Solved | Solution) -> str:

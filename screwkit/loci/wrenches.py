@@ -31,9 +31,7 @@ def null_wrench(
     return reduced(ring, [*form[MOMENT], *form[DIRECTION]])
 
 
-def reduced(
-    ring: TrigonometricRing, vector: Sequence[Polynomial]
-) -> list[Polynomial]:
+def reduced(ring: TrigonometricRing, vector: Sequence[Polynomial]) -> list[Polynomial]:
     """The vector divided by the greatest common factor of its entries."""
     common = None
     for value in vector:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from dataclasses import fields
 
-from screwkit.algebra.expression import ZERO, Expression
+from screwkit.algebra.expression import ZERO, Expression, Symbol
 from screwkit.algebra.expression_building import add
-from screwkit.algebra.expression import Symbol
 from screwkit.algebra.text import expression_text
 from screwkit.mechanism.graph import limbs
 from screwkit.mechanism.model import Joint, JointType, MdhRow, Mechanism

@@ -52,7 +52,8 @@ class Numbering:
     """All numbered conditions, grouped as the answer is.
 
     Attributes:
-        single: The conditions that consist of one equation, by that equation.
+        single: The limbs' conditions of one equation, by that equation: what later
+            conditions refer to by number.
         platform: What the platform is called.
     """
 
@@ -72,12 +73,13 @@ def numbered(answer: Singularities) -> Numbering:
         nonlocal start
         taken = tuple(Numbered(start + i, c) for i, c in enumerate(components))
         start += len(taken)
-        for entry in taken:
-            if len(entry.component.equations) == 1:
-                single.setdefault(entry.component.equations[0], entry)
         return taken
 
     limbs = tuple(take(limb.components) for limb in answer.limb)
+    for limb in limbs:
+        for entry in limb:
+            if len(entry.component.equations) == 1:
+                single.setdefault(entry.component.equations[0], entry)
     constraint = take(answer.constraint.components)
     actuation = take(answer.actuation.components if answer.actuation else ())
     name = platform_called(answer.platform_name).removeprefix("the ")
@@ -127,6 +129,8 @@ def is_numeric(solution: Solution) -> bool:
 
 def matched(component: Component) -> tuple[tuple[str, Solution | None], ...]:
     """Each equation with the solution that solves it, where there is one."""
+    if component.solved:
+        return tuple(zip(component.equations, component.solved, strict=True))
     free = list(component.solutions)
     if len(free) == len(component.equations) and all(
         s.variable in _LETTERS.findall(e)

@@ -29,6 +29,8 @@ class Component:
         equations: Grammar text; the component is where all of them vanish.
         codimension: In the space of the free symbols.
         solutions: Of the equations that can be solved for one variable.
+        solved: One for each equation, None where it was not solved for a variable of
+            its own; may be empty.
         rank: Of the matrix concerned, generic on the component.
         geometry: What happens there in words; None where no sentence was found.
         wrench_dimension: Of the platform's constraint wrenches (for actuation, with
@@ -45,6 +47,7 @@ class Component:
     wrench_dimension: int | None = None
     platform_freedom: int | None = None
     mobility: int | None = None
+    solved: tuple[Solution | None, ...] = ()
 
 
 @dataclass(frozen=True)
