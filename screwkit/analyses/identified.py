@@ -1,0 +1,170 @@
+"""Screws as a person reads them: kind, axis, a point of it, pitch and words.
+
+A screw (f; m) is a couple or translation where f = 0, else it has the pitch
+(f·m)/(f·f) and passes through (f×m)/(f·f); a force or rotation is one of pitch 0.
+
+References: [LongCaroKhalil2012] (24), (25); [Hunt1978].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from screwkit.algebra.expression_building import (
+    add,
+    multiply,
+    power,
+    quotient,
+    subtract,
+)
+from screwkit.algebra.polynomial_text import text, to_expression
+from screwkit.algebra.text import expression_text
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.conventions import DIRECTION, MOMENT
+from screwkit.loci.features import Features
+from screwkit.loci.reciprocals import FoundScrew
+from screwkit.results.screws import IdentifiedScrew
+from screwkit.screws.nullspace import Column, shortened
+from screwkit.screws.vector import Vector, cross, dot, normal
+
+
+class ScrewWriter:
+    """Writes screws of one ring."""
+
+    def __init__(self, ring: TrigonometricRing, *, linear: bool) -> None:
+        """Remember the order of coordinates: moment first where ``linear``."""
+        self._ring = ring
+        self._linear = linear
+
+    def wrench(self, screw: FoundScrew) -> IdentifiedScrew:
+        """A wrench: force, couple or screw."""
+        words = ""
+        if screw.how:
+            words = f"{'couple' if screw.is_free else 'force'} {screw.how}"
+        return self._identified(screw, ("force", "couple"), words)
+
+    def twist(self, screw: FoundScrew) -> IdentifiedScrew:
+        """A twist: rotation, translation or screw."""
+        words = ""
+        if screw.how:
+            words = (
+                f"translation {screw.how}"
+                if screw.is_free
+                else f"rotation about {screw.name}"
+            )
+        return self._identified(screw, ("rotation", "translation"), words)
+
+    def joint_twist(
+        self,
+        features: Features[Polynomial],
+        joint: str,
+        column: Column,
+        point: Vector[Polynomial],
+    ) -> IdentifiedScrew:
+        """The twist of a joint, with the shortest point of its axis."""
+        words = f"axis {joint}"
+        if all(value == 0 for value in column[DIRECTION]):
+            words = f"translation along {words}"
+            return self._identified(
+                FoundScrew(column), ("rotation", "translation"), words
+            )
+        shortest = point
+        for known in features.points:
+            if joint in known.joints:
+                words += f", through {known.name}"
+                if _terms(known.position) < _terms(shortest):
+                    shortest = known.position
+        return self._identified(
+            FoundScrew(column, point=shortest),
+            ("rotation", "translation"),
+            f"rotation about {words}",
+        )
+
+    def _identified(
+        self, screw: FoundScrew, kinds: tuple[str, str], words: str
+    ) -> IdentifiedScrew:
+        direction, moment = screw.column[DIRECTION], screw.column[MOMENT]
+        coordinates = self._texts(direction), self._texts(moment)
+        if self._linear:
+            coordinates = coordinates[1], coordinates[0]
+        written = (*coordinates[0], *coordinates[1])
+        if screw.is_free:
+            return IdentifiedScrew(
+                written, kinds[1], self._texts(moment), (), "", words
+            )
+        along = self._ring.normal(dot(direction, moment))
+        pitch = "0"
+        if along != 0:
+            pitch = self._pitch(screw.elsewhere or screw.column)
+        kind = kinds[0] if along == 0 else "screw"
+        return IdentifiedScrew(
+            written, kind, self._texts(direction), self._point(screw), pitch, words
+        )
+
+    def _pitch(self, column: Column) -> str:
+        direction, moment = column[DIRECTION], column[MOMENT]
+        above = self._ring.normal(dot(direction, moment))
+        below = self._ring.normal(dot(direction, direction))
+        return self._ratio_of_screw(column, (above,), below)[0]
+
+    def _point(self, screw: FoundScrew) -> tuple[str, ...]:
+        """The known point, or the shortest of four.
+
+        They are the foot of the perpendicular from the origin, and where the axis
+        meets the coordinate planes.
+        """
+        if screw.point is not None:
+            return self._texts(screw.point)
+        direction, moment = screw.column[DIRECTION], screw.column[MOMENT]
+        ring = self._ring
+        square = ring.normal(dot(direction, direction))
+        places = [(normal(ring, cross(direction, moment)), square)]
+        if ring.normal(dot(direction, moment)) == 0:
+            # m = p × f with p_i = 0: the other two coordinates are m_j / f_i.
+            for i in range(3):
+                j, k = (i + 1) % 3, (i + 2) % 3
+                if direction[i] != 0:
+                    place = [ring.zero] * 3
+                    place[j], place[k] = -moment[k], moment[j]
+                    places.append(((place[0], place[1], place[2]), direction[i]))
+        above, below = min(places, key=lambda place: _terms((*place[0], place[1])))
+        return self._ratio_of_screw(screw.column, above, below)
+
+    def _ratio_of_screw(
+        self, column: Column, above: Sequence[Polynomial], below: Polynomial
+    ) -> tuple[str, ...]:
+        """Pitch (one value above) or foot (three), unexpanded where that is shorter."""
+        if _terms((*above, below)) <= 2 * _terms(column):
+            return tuple(self.ratio(value, below) for value in above)
+        f, m = (
+            [to_expression(self._ring, value) for value in part]
+            for part in (column[DIRECTION], column[MOMENT])
+        )
+        square = add(*(power(value, 2) for value in f))
+        if len(above) == 1:
+            product = add(*(multiply(a, b) for a, b in zip(f, m, strict=True)))
+            return (expression_text(quotient(product, square)),)
+        foot = [
+            subtract(multiply(f[j], m[k]), multiply(f[k], m[j]))
+            for j, k in ((1, 2), (2, 0), (0, 1))
+        ]
+        return tuple(expression_text(quotient(value, square)) for value in foot)
+
+    def ratio(self, above: Polynomial, below: Polynomial) -> str:
+        """A quotient without common factors."""
+        if above == 0:
+            return "0"
+        above, below = shortened(self._ring, (above, below))
+        if text(self._ring, below).startswith("-"):
+            above, below = -above, -below
+        written = quotient(
+            to_expression(self._ring, above), to_expression(self._ring, below)
+        )
+        return expression_text(written)
+
+    def _texts(self, values: Sequence[Polynomial]) -> tuple[str, ...]:
+        return tuple(text(self._ring, value) for value in values)
+
+
+def _terms(values: Sequence[Polynomial]) -> int:
+    return sum(len(value) for value in values)
