@@ -22,6 +22,7 @@ from screwkit.mechanism.model import Claim, Joint, Mechanism, freedom_label
 
 if TYPE_CHECKING:
     from screwkit.kinematics.assembly import Assembly
+    from screwkit.limb import LimbView
 
 
 class Case:
@@ -57,6 +58,17 @@ class Case:
         from screwkit.kinematics.assembly import Assembly  # noqa: PLC0415
 
         return Assembly(self.mechanism)
+
+    @cached_property
+    def limbs(self) -> tuple[LimbView, ...]:
+        """The limbs, with their twist and wrench systems on demand.
+
+        Raises:
+            UndecidedError: If the mechanism is of a kind not analysed yet.
+        """
+        from screwkit.limb import LimbView  # noqa: PLC0415
+
+        return tuple(LimbView(self.assembly, limb) for limb in self.assembly.limbs)
 
 
 def load(

@@ -26,6 +26,7 @@ from screwkit.results.screws import (
     Screws,
 )
 from screwkit.screws.nullspace import (
+    Column,
     independent,
     moved,
     reciprocal_basis,
@@ -79,6 +80,11 @@ def screws(
         platform=_platform(assembly, limbs, writer),
         actuation_wrenches=tuple(wrenches),
     )
+
+
+def constraint_wrenches(assembly: Assembly, limb: SerialLimb) -> tuple[Column, ...]:
+    """The readable basis of what a limb can transmit with all joints passive."""
+    return tuple(screw.column for screw in _limb(assembly, limb).constraints)
 
 
 def _limb(assembly: Assembly, limb: SerialLimb) -> _Limb:

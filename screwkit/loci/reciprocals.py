@@ -21,8 +21,9 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.conventions import DIRECTION, MOMENT, SCREW_DIMENSION
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.kinematics.subspaces import dimension
+from screwkit.loci.constructions import Geometry
 from screwkit.loci.features import Axis, Features, Point
-from screwkit.loci.lines import Candidate, Catalogue, Geometry
+from screwkit.loci.lines import Candidate, Catalogue
 from screwkit.loci.meanings import Residue, features_of
 from screwkit.screws.nullspace import (
     Column,
