@@ -194,13 +194,17 @@ def _prime(source: random.Random) -> int:
 
 @lru_cache(maxsize=1)
 def _primes() -> tuple[int, ...]:
-    """Primes of 61 bits to choose from; fixed, so that answers can be repeated."""
+    """Primes of 61 bits to choose from; fixed, so that answers can be repeated.
+
+    All are 1 modulo 720720: small roots and the cosines of common angles exist.
+    """
+    step = 720720
     found: list[int] = []
-    candidate = fmpz(2**61 - 1)
+    candidate = (2**61 // step) * step + 1
     while len(found) < 64:
-        if candidate.is_prime():
-            found.append(int(candidate))
-        candidate -= 2
+        if fmpz(candidate).is_prime():
+            found.append(candidate)
+        candidate -= step
     return tuple(found)
 
 
@@ -228,18 +232,32 @@ def restricted(
         return [
             replace(branch, conditions=conditions, pending=(*branch.pending, condition))
         ]
-    return [
-        replace(
-            branch,
-            conditions=conditions,
-            steps=(
-                *branch.steps,
-                replace(step, condition=condition, companions=companions),
-            ),
-            pending=tuple(_substituted(ring, [p], step)[0] for p in branch.pending),
+    found = []
+    for step in steps:
+        pending = _still_pending(branch, step)
+        if pending is None:
+            continue
+        whole = replace(step, condition=condition, companions=companions)
+        found.append(
+            replace(
+                branch,
+                conditions=conditions,
+                steps=(*branch.steps, whole),
+                pending=pending,
+            )
         )
-        for step in steps
-    ]
+    return found
+
+
+def _still_pending(
+    branch: Branch, step: Substitution
+) -> tuple[Polynomial, ...] | None:
+    """The pending conditions after a step; None where one cannot hold any more."""
+    values = [_substituted(branch.ring, [p], step)[0] for p in branch.pending]
+    left = tuple(value for value in values if value != 0)
+    if any(branch.assumptions.is_nonzero(branch.ring, value) for value in left):
+        return None
+    return left
 
 
 @dataclass(frozen=True)
@@ -272,7 +290,9 @@ def split(branch: Branch, condition: Polynomial) -> Split | None:
         return None
     factor, rest = linear_parts(ring, condition, best[1])
     step = Substitution(((best[1], -rest),), factor, condition=condition)
-    pending = tuple(_substituted(ring, [p], step)[0] for p in branch.pending)
+    pending = _still_pending(branch, step)
+    if pending is None:
+        return None
     solved = replace(
         branch,
         conditions=(*branch.conditions, condition),

@@ -8,14 +8,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from screwkit.algebra.decomposition import Search
-from screwkit.algebra.trigonometric import Polynomial
+from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.kinematics.assembly import Assembly, SerialLimb
 from screwkit.loci.actuation import actuation_locus
-from screwkit.loci.canonical import in_known_conditions, single_conditions
+from screwkit.loci.canonical import in_known_conditions
 from screwkit.loci.loop_drop import LoopDrop, LoopState, loop_drop, loop_state
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece, pieces_of
 from screwkit.loci.rank_drop import generic_rank, rank_drop
+from screwkit.loci.strata import in_ring, limb_strata
 from screwkit.loci.wording import all_solutions, equations_of, solved_equations
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
@@ -173,17 +174,20 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
     framed = assembly.common_twists
     root, library = assembly.root(framed.ring), assembly.library(framed.ring)
     limbs = [[framed.column(j) for j in limb.joints] for limb in assembly.limbs]
-    drop = loop_drop(root, limbs, Search(library))
+    strata = [
+        in_ring(
+            limb_strata(assembly, limb), assembly.limb_twists[limb.name].ring, framed.ring
+        )
+        for limb in assembly.limbs
+    ]
+    drop = loop_drop(root, limbs, strata, Search(library))
     meanings = Meanings(framed, root, library)
-    known = single_conditions(
-        [
-            piece
-            for limb in limbs
-            for piece in pieces_of(
-                rank_drop(root, limb, Search(library)).decomposition.branches
-            )
-        ]
-    )
+    known = [
+        primitive(stratum.equations[0])
+        for limb in strata
+        for stratum in limb.strata
+        if len(stratum.equations) == 1
+    ]
     pieces = [
         in_known_conditions(piece, root, known, Search(library))
         for piece in drop.pieces
@@ -191,14 +195,26 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
     components = tuple(
         _constraint_component(piece, limbs, meanings) for piece in _in_order(pieces)
     )
-    complete = not drop.open
+    complete = drop.complete
     return ConstraintSingularities(
         generic_rank=generic,
         complete=complete,
         components=components,
         proof=_constraint_proof(drop) if complete else "",
-        reason="" if complete else _undecided(drop.open),
+        reason="" if complete else _open_constraint(drop),
     )
+
+
+def _open_constraint(drop: LoopDrop) -> str:
+    reasons = []
+    if drop.open:
+        reasons.append(_undecided(drop.open))
+    if drop.searched is not None:
+        reasons.append(
+            f"all pieces up to codimension {drop.searched} were searched; "
+            f"{drop.unsearched} combinations of limb strata beyond were not"
+        )
+    return "; ".join(reasons)
 
 
 def _constraint_proof(drop: LoopDrop) -> str:

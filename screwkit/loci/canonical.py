@@ -76,11 +76,3 @@ def _same(
         for other in [Piece(tuple(equations), zeros.branches)]
         for branch in piece.branches
     )
-
-
-def single_conditions(pieces: Sequence[Piece]) -> list[Polynomial]:
-    """The equations of pieces that have just one."""
-    return [p.equations[0] for p in pieces if len(p.equations) == 1]
-
-
-__all__ = ["in_known_conditions", "single_conditions"]

@@ -1,11 +1,10 @@
 """Where limbs that hold one body become dependent on each other.
 
 The limbs' wrench systems W_i add up directly for generic values; the loop constraint
-matrix loses rank exactly where they do not.  On the set where every limb has its
-generic rank, W_1 ⊕ … ⊕ W_k fails exactly where the join of their Plücker coordinates
-vanishes, whatever basis is taken.  Where a limb loses rank, its wrench system grows, and
-the same question is asked again on that piece.  The pieces form a finite tree, and no
-pattern of regular and singular limbs is skipped.
+matrix loses rank exactly where they do not.  On the set where every limb has the rank
+that is generic on a stratum, W_1 ⊕ … ⊕ W_k fails exactly where the join of their Plücker
+coordinates vanishes, whatever basis is taken.  So every combination of strata of the
+limbs is taken in turn, and no pattern of regular and singular limbs is skipped.
 
 References: [LongCaroKhalil2012] §5.2.1; [Zlatanov2002].
 """
@@ -16,14 +15,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from itertools import product
 
-from screwkit.algebra.branches import Branch
-from screwkit.algebra.decomposition import Search, common_zeros
+from screwkit.algebra.branches import Branch, restricted
+from screwkit.algebra.decomposition import Search, common_zeros, possible_factors
 from screwkit.algebra.minors import combined, minor_table
 from screwkit.algebra.points import rank_at
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import loop_rows
 from screwkit.loci.pieces import Piece, lies_in, pieces_of
-from screwkit.loci.rank_drop import Column, extensors, generic_rank, rank_drop
+from screwkit.loci.rank_drop import Column, extensors
+from screwkit.loci.strata import LimbStrata, Stratum
+
+_MOST = 160  # branches whose dependence is expanded
+_LARGEST = 4_000  # terms of all conditions on one branch
 
 
 @dataclass(frozen=True)
@@ -62,11 +65,21 @@ class LoopDrop:
 
     Attributes:
         open: Branches that were not decided; every further piece lies in one of them.
+        searched: All pieces up to this codimension are among ``pieces`` or ``open``;
+            None where there is no such limit.
+        unsearched: Number of combinations of strata beyond that.
     """
 
     generic: LoopState
     pieces: tuple[Piece, ...]
     open: tuple[Branch, ...]
+    searched: int | None = None
+    unsearched: int = 0
+
+    @property
+    def complete(self) -> bool:
+        """Whether ``pieces`` is the whole locus."""
+        return not self.open and self.searched is None
 
 
 def loop_state(branch: Branch, limbs: Sequence[Sequence[Column]]) -> LoopState | None:
@@ -74,7 +87,7 @@ def loop_state(branch: Branch, limbs: Sequence[Sequence[Column]]) -> LoopState |
     points = branch.points
     if not points:
         return None
-    rows = _rows(limbs)
+    rows = loop_rows(limbs)
     return LoopState(
         tuple(max(rank_at(limb, *point) for point in points) for limb in limbs),
         max(rank_at(rows, *point) for point in points) if rows else 0,
@@ -82,24 +95,20 @@ def loop_state(branch: Branch, limbs: Sequence[Sequence[Column]]) -> LoopState |
     )
 
 
-def _rows(limbs: Sequence[Sequence[Column]]) -> list[list[Polynomial]]:
-    return loop_rows(limbs)
-
-
 @dataclass
 class _Walk:
-    """The tree of pieces under way, shallow ones first."""
+    """The combinations of strata under way, shallow ones first."""
 
     limbs: Sequence[Sequence[Column]]
     generic: LoopState
     search: Search
+    strata: Sequence[LimbStrata]
     found: list[Branch] = field(default_factory=list)
     open: list[Branch] = field(default_factory=list)
-    waiting: list[Branch] = field(default_factory=list)
-    visited: dict[frozenset[str], None] = field(default_factory=dict)
     signatures: dict[str, Branch] = field(default_factory=dict)
     alike: list[tuple[Branch, Branch]] = field(default_factory=list)
     pieces: list[Piece] = field(default_factory=list)
+    expanded: int = 0
 
     def keep(self, branches: Sequence[Branch]) -> None:
         """Take note of branches on which the loops lose rank."""
@@ -113,37 +122,77 @@ class _Walk:
 
 
 def loop_drop(
-    root: Branch, limbs: Sequence[Sequence[Column]], search: Search
+    root: Branch,
+    limbs: Sequence[Sequence[Column]],
+    strata: Sequence[LimbStrata],
+    search: Search,
 ) -> LoopDrop:
     """Every piece of ``root`` on which the loop constraint matrix loses rank.
 
     Args:
-        root: As a rule the whole configuration space.
+        root: The whole configuration space.
         limbs: Twists of each limb in one common frame.
+        strata: Of each limb, in the ring of the common frame.
         search: Budget and known factors, shared by all steps.
     """
     generic = loop_state(root, limbs)
     if generic is None:
         raise ValueError("the whole space has no exact point")
-    walk = _Walk(limbs, generic, search, waiting=[root])
-    while walk.waiting:
-        walk.waiting.sort(key=lambda branch: branch.codimension)
-        _visit(walk.waiting.pop(0), walk)
+    walk = _Walk(limbs, generic, search, strata)
+    combinations = sorted(
+        product(*(limb.strata for limb in strata)),
+        key=lambda chosen: sum(stratum.codimension for stratum in chosen),
+    )
+    searched, unsearched = None, 0
+    for position, chosen in enumerate(combinations):
+        if walk.expanded >= _MOST:
+            searched = sum(s.codimension for s in chosen) - 1
+            unsearched = len(combinations) - position
+            break
+        _visit(root, chosen, walk)
     pieces = pieces_of([*walk.found, *_other_sheets(walk.found, walk.alike)])
     undecided = [*walk.open, *_other_sheets(walk.open, walk.alike)]
+    if not all(limb.complete for limb in strata):
+        undecided.append(root)
     open_left = tuple(
         branch
         for branch in undecided
         if not any(lies_in(branch, piece) for piece in pieces)
     )
-    return LoopDrop(generic, tuple(pieces), open_left)
+    return LoopDrop(generic, tuple(pieces), open_left, searched, unsearched)
 
 
-def _visit(branch: Branch, walk: _Walk) -> None:
-    key = frozenset(str(p) for p in (*branch.conditions, *branch.sheets))
-    if key in walk.visited or walk.known(branch):
+def _visit(root: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
+    if not _can_depend(chosen, walk):
         return
-    walk.visited[key] = None
+    branches = [root]
+    for stratum in chosen:
+        for equation in stratum.equations:
+            branches = [b for a in branches for b in imposed(a, equation, walk.search)]
+    for branch in branches:
+        if not branch.is_special and not walk.known(branch):
+            _examine(branch, chosen, walk)
+
+
+def _can_depend(chosen: Sequence[Stratum], walk: _Walk) -> bool:
+    """At least two limbs must constrain the platform."""
+    if walk.generic.loop < 6 * (len(walk.limbs) - 1):
+        return True
+    return sum(stratum.rank < 6 for stratum in chosen) > 1
+
+
+def imposed(branch: Branch, equation: Polynomial, search: Search) -> list[Branch]:
+    """The parts of a branch on which an equation of the whole ring holds."""
+    value = branch.value(equation)
+    if value == 0:
+        return [branch]
+    found = []
+    for case in possible_factors(branch, value, search.library):
+        found.extend(restricted(branch, case.equations[0], case.equations[1:]))
+    return found
+
+
+def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
     if _is_like_another_sheet(branch, walk):
         return
     state = loop_state(branch, walk.limbs)
@@ -153,22 +202,32 @@ def _visit(branch: Branch, walk: _Walk) -> None:
     if state.loop < walk.generic.loop:
         walk.keep([branch])
         return
-    drops = _limb_drops(branch, walk)
-    walk.waiting.extend(drops)
     polynomials = _dependence(branch, state, walk)
+    walk.expanded += 1
     if polynomials is None:
         walk.open.append(branch)
         return
-    elsewhere = [*pieces_of(drops), *walk.pieces]
+    deeper = [
+        stratum
+        for limb, own in zip(walk.strata, chosen, strict=True)
+        for stratum in limb.strata
+        if stratum.rank < own.rank
+    ]
+    elsewhere = [Piece(stratum.equations, ()) for stratum in deeper] + walk.pieces
     search = replace(
         walk.search,
         found=[],
         unfinished=[],
+        special=[],
+        budget=_BUDGET,
         skip=lambda b: any(lies_in(b, piece) for piece in elsewhere),
     )
     zeros = common_zeros(branch, polynomials, search)
     walk.keep(zeros.branches)
     walk.open.extend(zeros.open)
+
+
+_BUDGET = 150  # case distinctions on one branch
 
 
 def _is_like_another_sheet(branch: Branch, walk: _Walk) -> bool:
@@ -217,17 +276,6 @@ def _other_sheets(
     return copies
 
 
-def _limb_drops(branch: Branch, walk: _Walk) -> list[Branch]:
-    """The pieces of the branch on which one limb loses rank."""
-    found: list[Branch] = []
-    search = replace(walk.search, skip=walk.known)
-    for limb in walk.limbs:
-        drop = rank_drop(branch, limb, search)
-        found.extend(drop.decomposition.branches)
-        walk.open.extend(drop.decomposition.open)
-    return found
-
-
 def _dependence(
     branch: Branch, state: LoopState, walk: _Walk
 ) -> list[Polynomial] | None:
@@ -243,8 +291,10 @@ def _dependence(
         polynomials: list[Polynomial] = []
         for chart in product(*charts):
             polynomials.extend(combined(branch.ring, chart, 6).values())
+            if sum(map(len, polynomials)) > _LARGEST:
+                break
         return polynomials
-    rows = [branch.column(column) for column in _rows(walk.limbs)]
+    rows = [branch.column(column) for column in loop_rows(walk.limbs)]
     if len(rows) > 10 or len(walk.limbs) != 2:
         return None
     table = minor_table(branch.ring, rows, len(rows[0]), state.loop)
@@ -254,6 +304,3 @@ def _dependence(
         if chosen.bit_count() == state.loop
         for minor in minors.values()
     ]
-
-
-__all__ = ["LoopDrop", "LoopState", "generic_rank", "loop_drop", "loop_state"]

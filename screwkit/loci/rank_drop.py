@@ -15,7 +15,7 @@ from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import Decomposition, Search, common_zeros
 from screwkit.algebra.minors import minor_table
 from screwkit.algebra.points import rank_at
-from screwkit.algebra.trigonometric import Polynomial
+from screwkit.algebra.trigonometric import Polynomial, content
 
 Column = Sequence[Polynomial]
 
@@ -85,7 +85,17 @@ def extensors(
         for chosen, minors in table.items()
         if chosen.bit_count() == rank and minors
     ]
-    return [_reduced(minors) for minors in charts]
+    different: dict[str, dict[int, Polynomial]] = {}
+    for minors in charts:
+        chart = _reduced(minors)
+        if next(iter(chart.values())).coeffs()[0] < 0:
+            chart = {rows: -value for rows, value in chart.items()}
+        different.setdefault(str(sorted(chart.items(), key=_by_rows)), chart)
+    return sorted(different.values(), key=lambda c: sum(len(v) for v in c.values()))
+
+
+def _by_rows(entry: tuple[int, Polynomial]) -> int:
+    return entry[0]
 
 
 def _reduced(minors: dict[int, Polynomial]) -> dict[int, Polynomial]:
@@ -93,5 +103,7 @@ def _reduced(minors: dict[int, Polynomial]) -> dict[int, Polynomial]:
     for value in minors.values():
         common = value if common is None else common.gcd(value)
         if common.is_constant():
-            return minors
-    return {rows: value / common for rows, value in minors.items()}
+            break
+    divided = {rows: value / common for rows, value in minors.items()}
+    scale = content(next(iter(divided.values())))
+    return {rows: value / scale for rows, value in divided.items()}

@@ -1,0 +1,92 @@
+"""The strata of one limb: where its twists lose rank, and lose more.
+
+Found in the limb's own frame and ring, where they are short, and handed on as equations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.conversion import Conversion
+from screwkit.algebra.decomposition import Search
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.kinematics.assembly import Assembly, SerialLimb
+from screwkit.loci.pieces import Piece, pieces_of
+from screwkit.loci.rank_drop import generic_rank, rank_drop
+
+_MOST = 40  # strata of one limb
+
+
+@dataclass(frozen=True)
+class Stratum:
+    """A closed set on which a limb has less than its generic rank.
+
+    Attributes:
+        equations: In the ring of the limb, or of all limbs; empty for the whole space.
+        rank: Generic on the stratum.
+        codimension: Of the stratum.
+    """
+
+    equations: tuple[Polynomial, ...]
+    rank: int
+    codimension: int
+
+
+@dataclass(frozen=True)
+class LimbStrata:
+    """All strata of a limb, the whole space first, by increasing codimension.
+
+    Attributes:
+        complete: Whether no stratum was left undecided.
+    """
+
+    strata: tuple[Stratum, ...]
+    complete: bool
+
+
+def limb_strata(assembly: Assembly, limb: SerialLimb) -> LimbStrata:
+    """Every stratum of a limb, in the limb's own ring."""
+    framed = assembly.limb_twists[limb.name]
+    columns = [framed.column(joint) for joint in limb.joints]
+    library = assembly.library(framed.ring)
+    root = assembly.root(framed.ring)
+    found = [Stratum((), generic_rank(root, columns), 0)]
+    complete = True
+    level: list[Branch] = [root]
+    seen: set[frozenset[str]] = set()
+    while level and len(found) < _MOST:
+        lower: list[Branch] = []
+        for branch in level:
+            drop = rank_drop(branch, columns, Search(library))
+            complete = complete and drop.decomposition.complete
+            lower.extend(drop.decomposition.branches)
+        level = []
+        for piece in pieces_of(lower):
+            key = frozenset(str(e) for e in piece.equations)
+            if key not in seen:
+                seen.add(key)
+                found.append(_stratum(piece, columns))
+                level.extend(piece.branches)
+    found.sort(key=lambda stratum: stratum.codimension)
+    return LimbStrata(tuple(found), complete and not level)
+
+
+def _stratum(piece: Piece, columns: Sequence[Sequence[Polynomial]]) -> Stratum:
+    rank = max(generic_rank(branch, columns) for branch in piece.branches)
+    return Stratum(piece.equations, rank, piece.codimension)
+
+
+def in_ring(
+    strata: LimbStrata, source: TrigonometricRing, target: TrigonometricRing
+) -> LimbStrata:
+    """The same strata with their equations in another ring."""
+    convert = Conversion(source, target)
+    return LimbStrata(
+        tuple(
+            replace(s, equations=tuple(convert(e) for e in s.equations))
+            for s in strata.strata
+        ),
+        strata.complete,
+    )
