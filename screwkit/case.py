@@ -21,8 +21,8 @@ from screwkit.mechanism.graph import actuable_freedoms
 from screwkit.mechanism.model import Claim, Joint, Mechanism, freedom_label
 
 if TYPE_CHECKING:
+    from screwkit.analyses.limb_view import LimbView
     from screwkit.kinematics.assembly import Assembly
-    from screwkit.limb import LimbView
 
 
 class Case:
@@ -66,7 +66,7 @@ class Case:
         Raises:
             UndecidedError: If the mechanism is of a kind not analysed yet.
         """
-        from screwkit.limb import LimbView  # noqa: PLC0415
+        from screwkit.analyses.limb_view import LimbView  # noqa: PLC0415
 
         return tuple(LimbView(self.assembly, limb) for limb in self.assembly.limbs)
 

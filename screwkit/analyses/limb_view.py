@@ -1,11 +1,16 @@
-"""A limb as a person meets it in Python: its joints, its twists, its wrenches."""
+"""A limb as a person meets it in Python: its joints, its twists, its wrenches.
+
+Both systems are exact, in the base frame, and found when first asked for.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from screwkit.analyses.screws import constraint_wrenches
 from screwkit.kinematics.assembly import Assembly, SerialLimb
+from screwkit.screws.nullspace import annihilator, basis_of
 from screwkit.screws.system import TwistSystem, WrenchSystem, conditions
 
 
@@ -51,9 +56,6 @@ class LimbView:
 
         The basis is that of `screwkit.screws`: couples and forces where they exist.
         """
-        from screwkit.analyses.screws import constraint_wrenches  # noqa: PLC0415
-        from screwkit.screws.nullspace import annihilator, basis_of  # noqa: PLC0415
-
         assembly, ring = self._assembly, self.twists.ring
         columns = constraint_wrenches(assembly, self._limb)
         known: frozenset[str] = frozenset()

@@ -11,15 +11,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache, reduce
+from fractions import Fraction
+from functools import reduce
 from math import gcd, lcm
 from typing import TypeAlias
-
-from flint import fmpq, nmod_mat
+from weakref import WeakKeyDictionary
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.minors import Bits, determinant, minors_of
+from screwkit.algebra.modular import rank
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.conventions import DIRECTION, MOMENT, SCREW_DIMENSION
@@ -41,11 +42,15 @@ class Basis:
     pivot: Polynomial | None
 
 
-@lru_cache(maxsize=64)
+_SAMPLES: WeakKeyDictionary[TrigonometricRing, tuple[Point, int]] = WeakKeyDictionary()
+
+
 def sample(ring: TrigonometricRing) -> tuple[Point, int]:
     """A random exact point of the ring and its prime, always the same one."""
-    point, prime = Branch(ring, Assumptions()).points[0]
-    return point, prime
+    if ring not in _SAMPLES:
+        point, prime = Branch(ring, Assumptions()).points[0]
+        _SAMPLES[ring] = point, prime
+    return _SAMPLES[ring]
 
 
 def residues(ring: TrigonometricRing, column: Sequence[Polynomial]) -> list[int]:
@@ -65,11 +70,8 @@ def independent(ring: TrigonometricRing, columns: Sequence[Column]) -> tuple[int
     rows = [residues(ring, column) for column in columns]
     chosen: list[int] = []
     for number in range(len(rows)):
-        entries = [x for i in (*chosen, number) for x in rows[i]]
-        size = len(chosen) + 1
-        if size <= SCREW_DIMENSION and (
-            nmod_mat(size, len(rows[number]), entries, prime).rank() == size
-        ):
+        trial = [rows[i] for i in (*chosen, number)]
+        if len(trial) <= SCREW_DIMENSION and rank(trial, prime) == len(trial):
             chosen.append(number)
     return tuple(chosen)
 
@@ -97,9 +99,8 @@ def _pivot(ring: TrigonometricRing, columns: Sequence[Column]) -> Polynomial:
     rows: list[int] = []
     for row in order:
         trial = [*rows, row]
-        entries = [column[i] for column in numbers for i in trial]
-        matrix = nmod_mat(len(columns), len(trial), entries, prime)
-        if matrix.rank() == len(trial):
+        part = [[column[i] for i in trial] for column in numbers]
+        if rank(part, prime) == len(trial):
             rows = trial
         if len(rows) == len(columns):
             break
@@ -195,5 +196,5 @@ def shortened(ring: TrigonometricRing, column: Sequence[Polynomial]) -> Column:
         if value != 0:
             sign = -1 if value.coeffs()[0] < 0 else 1
             break
-    scale = fmpq(sign * below, above)
+    scale = ring.rational(Fraction(sign * below, above))
     return tuple(value * scale for value in divided)
