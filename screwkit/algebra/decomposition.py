@@ -30,6 +30,7 @@ from screwkit.algebra.trigonometric import Polynomial, primitive
 
 _SHORT = 24  # terms of a polynomial from which resolvents are formed
 _PAIRS = 6
+_TERMS_PER_CASE = 150  # longer polynomials use up more of the budget
 _TRIED = 10  # polynomials that are factored to choose the next case split
 
 
@@ -105,7 +106,7 @@ def _descend(
     if search.budget <= 0:
         search.unfinished.append(branch)
         return
-    search.budget -= 1
+    search.budget -= 1 + sum(map(len, left)) // _TERMS_PER_CASE
     choice = _shortest_choice(branch, left, nonzero, search)
     if choice is None:
         search.unfinished.append(branch)

@@ -25,7 +25,8 @@ from screwkit.loci.pieces import Piece, lies_in, pieces_of
 from screwkit.loci.rank_drop import Column, extensors
 from screwkit.loci.strata import LimbStrata, Stratum
 
-_MOST = 160  # branches whose dependence is expanded
+_EFFORT = 600  # case distinctions in all; long polynomials count more
+_BUDGET = 150  # case distinctions on one branch
 _LARGEST = 4_000  # terms of all conditions on one branch
 
 
@@ -108,7 +109,7 @@ class _Walk:
     signatures: dict[str, Branch] = field(default_factory=dict)
     alike: list[tuple[Branch, Branch]] = field(default_factory=list)
     pieces: list[Piece] = field(default_factory=list)
-    expanded: int = 0
+    effort: int = _EFFORT
 
     def keep(self, branches: Sequence[Branch]) -> None:
         """Take note of branches on which the loops lose rank."""
@@ -145,7 +146,7 @@ def loop_drop(
     )
     searched, unsearched = None, 0
     for position, chosen in enumerate(combinations):
-        if walk.expanded >= _MOST:
+        if walk.effort <= 0:
             searched = sum(s.codimension for s in chosen) - 1
             unsearched = len(combinations) - position
             break
@@ -203,7 +204,6 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         walk.keep([branch])
         return
     polynomials = _dependence(branch, state, walk)
-    walk.expanded += 1
     if polynomials is None:
         walk.open.append(branch)
         return
@@ -219,15 +219,15 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         found=[],
         unfinished=[],
         special=[],
-        budget=_BUDGET,
+        budget=min(_BUDGET, walk.effort),
         skip=lambda b: any(lies_in(b, piece) for piece in elsewhere),
     )
+    before = search.budget
     zeros = common_zeros(branch, polynomials, search)
+    walk.effort -= 1 + before - search.budget
     walk.keep(zeros.branches)
     walk.open.extend(zeros.open)
 
-
-_BUDGET = 150  # case distinctions on one branch
 
 
 def _is_like_another_sheet(branch: Branch, walk: _Walk) -> bool:
