@@ -1,0 +1,107 @@
+"""Mobility of the NAO's arms: published counts, and motion types by numbers alone."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from loci import nao
+from loci.numeric import Array, Posture, rank, values
+from scipy.linalg import null_space
+
+
+def test_the_counts_are_those_of_the_literature() -> None:
+    known = nao.expected()["mobility"]
+    found = nao.the_mobility()
+    counts = found.counts
+    assert counts.grubler == known["grubler"]
+    assert counts.moroskine == known["moroskine"]
+    assert counts.gogu == known["gogu"]["value"]
+    assert counts.screw == known["screw"]
+    assert counts.grubler_planar is None
+    assert found.loop_rank == known["loop_rank"]
+    assert found.redundant_constraints == 0
+    assert found.instantaneous_mobility == 10 - known["loop_rank"]
+    assert found.platform.twist_dimension == known["platform_twist_dimension"]
+    assert found.platform.motion_type == "1T3R"
+    assert (found.platform.wrench_dimension, found.platform.couples) == (2, 0)
+    assert (found.topology.links, found.topology.joints) == (12, 12)
+    assert (found.topology.freedoms, found.topology.independent_loops) == (10, 1)
+
+
+def test_the_choice_of_bases_in_gogus_formula_is_counted() -> None:
+    known = nao.expected()["mobility"]["gogu"]
+    working = next(w for w in nao.the_mobility().workings if w.name == "Gogu")
+    for number in ("pairs_of_coordinate_bases", "pairs_giving_4", "pairs_giving_5"):
+        assert str(known[number]) in working.remark.split() + [""]
+
+
+def test_declared_scheme_leaves_nothing_movable() -> None:
+    actuation = nao.the_mobility().actuation
+    assert actuation is not None
+    assert actuation.actuated == ("1", "2", "3", "7")
+    assert (actuation.remaining_mobility, actuation.remaining_platform_freedom) == (0, 0)
+
+
+def posture(**angles: float) -> dict[str, float]:
+    """A regular posture of both arms with some angles replaced."""
+    given = [0.3, -0.4, 0.7, 1.1, 0.2, 1.3, 0.5, -0.6, 0.9, -1.2]
+    default = {name: x for name, x in zip(nao.VARIABLES, given, strict=True)}
+    return {**nao.LENGTHS, **default, **angles}
+
+
+PHI = math.atan2(nao.LENGTHS["d3"], nao.LENGTHS["r3"])
+MOTIONS = {
+    "generic": posture(),
+    "q6=q1": posture(q6=0.3),
+    "q6=q1+pi": posture(q6=0.3 + math.pi),
+    "q6=q1, q7=q2-2*phi": posture(q6=0.3, q7=-0.4 - 2 * PHI),
+    "q6=q1, q7=q2-2*phi+pi": posture(q6=0.3, q7=-0.4 - 2 * PHI + math.pi),
+    "q6=q1+pi, q7=-q2": posture(q6=0.3 + math.pi, q7=0.4),
+    "q6=q1+pi, q7=pi-q2": posture(q6=0.3 + math.pi, q7=math.pi + 0.4),
+    "mirror pose": posture(q6=0.3, q7=0.4, q8=-0.7, q9=-1.1),
+    "mirror pose, q2=phi": posture(q6=0.3, q2=PHI, q7=-PHI, q8=-0.7, q9=-1.1),
+}
+
+
+def motion_type(at: Posture) -> str:
+    """nTmR of the common twists of both arms, from null spaces."""
+    right, left = nao.limbs_at(at)
+    wrenches = np.hstack([null_space(right.T), null_space(left.T)])
+    twists: Array = null_space(wrenches.T)
+    turning = rank(twists[:3])
+    return f"{twists.shape[1] - turning}T{turning}R"
+
+
+@pytest.mark.parametrize("name", MOTIONS)
+def test_motion_type_of_the_case_that_holds(name: str) -> None:
+    """The most special case whose conditions vanish tells the type found by numbers."""
+    at = MOTIONS[name]
+    holding = [
+        case
+        for case in nao.the_mobility().platform.cases
+        if np.all(np.abs(values(case.conditions, at)) < 1e-9)
+    ]
+    told = max(holding, key=lambda case: len(case.conditions)).motion_type
+    assert told == motion_type(at) == nao.expected()["motion"]["exact_checks"][name]
+
+
+def test_no_other_posture_is_special() -> None:
+    """Regular postures drawn at random, and on q6 = q1: 1T3R, and told so."""
+    source = np.random.default_rng(3)
+    for number in range(20):
+        angles = dict(zip(nao.VARIABLES, source.uniform(-3, 3, 10), strict=True))
+        if number % 2:
+            angles["q6"] = angles["q1"]
+        at = {**nao.LENGTHS, **{name: float(x) for name, x in angles.items()}}
+        assert motion_type(at) == "1T3R"
+        for case in nao.the_mobility().platform.cases:
+            if case.motion_type != "1T3R":
+                assert np.max(np.abs(values(case.conditions, at))) > 1e-6
+
+
+def test_finite_motion_is_proved() -> None:
+    full_cycle = nao.the_mobility().full_cycle
+    assert full_cycle.mobility == (4,)
+    assert full_cycle.status == "proved"

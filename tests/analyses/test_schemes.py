@@ -1,0 +1,230 @@
+"""All 210 schemes of the NAO's arms against published data and float determinants."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import cache
+
+import numpy as np
+import pytest
+from loci import nao
+from loci.numeric import Array, freedoms, loop_matrix, value
+
+from screwkit.algebra.expression import Number
+from screwkit.analyses.schemes import schemes
+from screwkit.kinematics.assembly import Assembly
+from screwkit.kinematics.values import with_values
+from screwkit.results.schemes import Scheme
+
+SAMPLES = 6
+LENGTHS_ONLY = {"d3", "r1", "r3"}
+
+
+@cache
+def postures() -> list[dict[str, float]]:
+    source = np.random.default_rng(11)
+    return [
+        {**nao.LENGTHS, **{n: float(source.uniform(-3, 3)) for n in nao.VARIABLES}}
+        for _ in range(SAMPLES)
+    ]
+
+
+@cache
+def fingerprint(condition: str) -> tuple[int, ...]:
+    """Values at random postures up to a constant, rounded: equal for equal zeros."""
+    found = np.array([value(condition, at) for at in postures()])
+    return tuple(int(x) for x in np.rint(1e7 * found / found[0]))
+
+
+def of(actuated: Sequence[str]) -> Scheme:
+    return next(s for s in nao.the_schemes().schemes if s.actuated == tuple(actuated))
+
+
+def as_numbers(scheme: Scheme) -> list[int]:
+    return [int(name) for name in scheme.actuated]
+
+
+def test_counts() -> None:
+    known = nao.expected()["schemes"]["counts"]
+    found = nao.the_schemes()
+    assert (found.size, found.total) == (4, known["total"])
+    assert found.admissible == known["admissible"]
+    assert found.balanced is not None
+    assert found.balanced.total == known["two_per_arm_total"]
+    assert found.balanced.admissible == known["two_per_arm_admissible"]
+    assert found.complete
+    by_right: Counter[int] = Counter()
+    admissible: Counter[int] = Counter()
+    for scheme in found.schemes:
+        right = sum(n <= 5 for n in as_numbers(scheme))
+        by_right[right] += 1
+        admissible[right] += scheme.admissible
+    assert known["by_actuated_right"] == {
+        str(k): [admissible[k], by_right[k]] for k in range(5)
+    }
+
+
+def test_inadmissible_schemes_and_the_rule() -> None:
+    refused = [as_numbers(s) for s in nao.the_schemes().schemes if not s.admissible]
+    assert refused == nao.expected()["schemes"]["inadmissible"]
+    for scheme in nao.the_schemes().schemes:
+        names = set(scheme.actuated)
+        rule = bool(names & {"1", "6"}) and names != {"1", "2", "6", "7"}
+        assert scheme.admissible is rule
+        assert scheme.generic_rank == (6 if rule else 5)
+        assert (scheme.reason is None) is rule
+    reasons = sorted(r.schemes for r in nao.the_schemes().refusals)
+    assert reasons == [1, 70]
+
+
+def test_mirror_classes() -> None:
+    known = nao.expected()["schemes"]["counts"]["mirror_classes"]
+    mirror = nao.the_schemes().mirror
+    assert mirror is not None
+    assert list(mirror.total) == known["all"]
+    assert list(mirror.admissible) == known["admissible"]
+    assert list(mirror.balanced) == known["two_per_arm"]
+    assert list(mirror.balanced_admissible) == known["two_per_arm_admissible"]
+    images = nao.expected_ranks()["mirror"]
+    for scheme in nao.the_schemes().schemes:
+        assert sorted(scheme.mirror) == sorted(images[",".join(scheme.actuated)])
+
+
+def test_factors_are_those_of_the_reference() -> None:
+    """Per scheme, with multiplicities; conditions compared at random postures."""
+    factors = nao.expected_schemes()["factors"]
+    for actuated, _, listed in nao.expected_schemes()["schemes"]:
+        wanted = Counter(
+            {
+                fingerprint(factors[name]): count
+                for name, count in listed
+                if factors[name] not in LENGTHS_ONLY
+            }
+        )
+        scheme = of(actuated)
+        found = Counter(
+            {
+                fingerprint(text): count
+                for text, count in zip(
+                    scheme.locus, scheme.multiplicities, strict=True
+                )
+            }
+        )
+        assert found == wanted, actuated
+
+
+def test_each_factor_is_listed_with_the_number_of_its_schemes() -> None:
+    counted = Counter(text for s in nao.the_schemes().schemes for text in s.locus)
+    listed = nao.the_schemes().factors
+    assert {f.equation: f.schemes for f in listed} == dict(counted)
+    known = nao.expected()["schemes"]["counts"]
+    lengths = sum(text in LENGTHS_ONLY for text in nao.expected_schemes()["factors"])
+    assert len(listed) == known["distinct_irreducible_factors"] - lengths
+    for name in ("T2", "T7", "s4", "s9", "sD", "cD"):
+        assert counted[nao.NAMES[name]] == known[f"schemes_with_factor_{name}"]
+
+
+def determinant(scheme: Scheme, at: dict[str, float]) -> float:
+    passive = [[j not in scheme.actuated for j in limb] for limb in nao.LIMBS]
+    matrix: Array = loop_matrix(nao.limbs_at(at), passive)
+    return float(np.linalg.det(matrix))
+
+
+def test_product_of_the_factors_is_the_determinant() -> None:
+    """Float determinants of the assembled passive columns, up to one constant each."""
+    for scheme in nao.the_schemes().schemes:
+        ratios = []
+        for at in postures():
+            product = 1.0
+            for text, count in zip(scheme.locus, scheme.multiplicities, strict=True):
+                product *= value(text, at) ** count
+            ratios.append(determinant(scheme, at) / product)
+        if scheme.admissible:
+            spread = np.ptp(ratios) / np.max(np.abs(ratios))
+            assert spread < 1e-7, scheme.actuated
+            assert np.min(np.abs(ratios)) > 1e-6
+        else:
+            assert np.max(np.abs(ratios)) < 1e-12, scheme.actuated
+
+
+STRATA = {nao.NAMES[name]: name for name in ("s4", "s9", "T2", "T7", "sD", "cD")}
+
+
+def test_idle_factors_leave_the_wrench_system_full() -> None:
+    checked = 0
+    for scheme in nao.the_schemes().schemes:
+        ranks = nao.expected_ranks()["ranks"][",".join(scheme.actuated)]
+        assert scheme.generic_rank == ranks["generic"][1]
+        for text in scheme.locus:
+            if text in STRATA:
+                passive, wrenches = ranks[STRATA[text]]
+                assert passive < 6
+                assert (text in scheme.idle) is (wrenches == 6), scheme.actuated
+                checked += 1
+    assert checked == 54 + 54 + 33 + 33 + 20 + 16
+
+
+SPECIAL = {
+    "d3=0": ("d3",),
+    "r1=0": ("r1",),
+    "r3=0": ("r3",),
+    "d3=r1=0": ("d3", "r1"),
+    "r1=r3=0": ("r1", "r3"),
+}
+
+
+@pytest.mark.parametrize("lengths", SPECIAL)
+def test_special_lengths(lengths: str) -> None:
+    known = nao.expected()["schemes"]["special_lengths"][lengths]
+    zeros = {name: Number(Fraction(0)) for name in SPECIAL[lengths]}
+    found = schemes(Assembly(with_values(nao.mechanism(), zeros)), size=4)
+    assert found.total == 210
+    assert found.admissible == known["admissible"]
+    assert found.balanced is not None
+    assert found.balanced.admissible == known["two_per_arm"]
+    if "lost" in known:
+        admissible = {s.actuated for s in found.schemes if s.admissible}
+        lost = [
+            as_numbers(s)
+            for s in nao.the_schemes().schemes
+            if s.admissible and s.actuated not in admissible
+        ]
+        assert sorted(lost) == sorted(known["lost"])
+
+
+def test_arms_that_only_turn_about_their_shoulders() -> None:
+    """d3 = r3 = 0: every determinant vanishes, for idle motions that do not count.
+
+    The published 0 counts determinants.  The platform is stopped by three locked
+    joints of one arm that leave two passive axes whose plane misses the shoulder line.
+    """
+    known = nao.expected()["schemes"]["special_lengths"]["d3=r3=0"]
+    zeros = {name: Number(Fraction(0)) for name in ("d3", "r3")}
+    found = schemes(Assembly(with_values(nao.mechanism(), zeros)), size=4)
+    stopped = 0
+    for scheme in found.schemes:
+        limbs = [
+            limb[:, [j not in scheme.actuated for j in joints]]
+            for limb, joints in zip(
+                nao.limbs_at(postures()[0] | {"d3": 0.0, "r3": 0.0}),
+                nao.LIMBS,
+                strict=True,
+            )
+        ]
+        nonzero = abs(np.linalg.det(loop_matrix(limbs))) > 1e-12
+        assert nonzero <= known["admissible"]
+        assert scheme.admissible is (freedoms(limbs).platform == 0)
+        stopped += scheme.admissible
+    assert (found.admissible, stopped) == (68, 68)
+
+
+def test_candidates_and_size() -> None:
+    """Redundant sets: five actuators among six, against the published rule."""
+    candidates = ("1", "2", "3", "6", "7", "8")
+    found = schemes(nao.assembly(), size=5, candidates=candidates)
+    assert found.total == 6
+    assert all(set(s.actuated) <= set(candidates) for s in found.schemes)
+    for scheme in found.schemes:
+        assert scheme.admissible is bool({"1", "6"} & set(scheme.actuated))

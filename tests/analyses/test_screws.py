@@ -1,0 +1,356 @@
+"""The screw systems of the bundled cases: what is printed is reciprocal, and is right."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from itertools import chain
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import screwkit as sk
+from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.parse import RESULT_LIMITS, parse
+from screwkit.algebra.batch import BatchRing
+from screwkit.case import bundled_cases
+from screwkit.questions import screws
+from screwkit.results.screws import IdentifiedScrew, Screws
+
+REFERENCE = Path(__file__).parents[1] / "reference" / "nao_screws.json"
+DIMENSIONS = {  # twists of the limbs; platform
+    "dual_iiwa": ([6, 6], 6),
+    "dual_planar_arm": ([3, 3], 3),
+    "dual_puma": ([6, 6], 6),
+    "dual_scara": ([4, 4], 4),
+    "nao_t14": ([5, 5], 4),
+    "three_arms": ([5, 5, 5], 3),
+    "unequal_arms": ([4, 5], 3),
+}
+
+
+@pytest.fixture(scope="module")
+def answers() -> dict[str, Screws]:
+    return {name: screws(sk.load(name)) for name in bundled_cases()}
+
+
+@pytest.fixture(scope="module")
+def nao(answers: dict[str, Screws]) -> Screws:
+    return answers["nao_t14"]
+
+
+def every_screw(answer: Screws) -> list[IdentifiedScrew]:
+    systems = [s for limb in answer.limbs for s in (limb.twists, limb.wrenches)]
+    systems += [answer.platform.twists, answer.platform.wrenches]
+    actuation = [w.screw for w in answer.actuation_wrenches if w.screw is not None]
+    return [*chain.from_iterable(systems), *actuation]
+
+
+def posture(name: str, seed: int) -> BatchRing:
+    mechanism = sk.load(name).mechanism
+    source = np.random.default_rng(seed)
+    names = [*mechanism.joint_variables, *(p.name for p in mechanism.parameters)]
+    return BatchRing({n: float(source.uniform(0.3, 1.4)) for n in names})
+
+
+def numbers(texts: tuple[str, ...], at: BatchRing) -> np.ndarray:
+    return np.array(
+        [float(evaluate(parse(t, limits=RESULT_LIMITS), at)) for t in texts]
+    )
+
+
+def matrix(system: tuple[IdentifiedScrew, ...], at: BatchRing) -> np.ndarray:
+    return np.array([numbers(s.coordinates, at) for s in system]).reshape(-1, 6)
+
+
+def swapped(rows: np.ndarray) -> np.ndarray:
+    return rows[:, [3, 4, 5, 0, 1, 2]]
+
+
+def rank(rows: np.ndarray) -> int:
+    """With a clear gap between what counts and what does not."""
+    if not rows.size:
+        return 0
+    rows = rows / np.linalg.norm(rows, axis=1, keepdims=True)
+    values = np.linalg.svd(rows, compute_uv=False)
+    clear = values[(values < 1e-11) | (values > 1e-5)]
+    assert len(clear) == len(values)
+    return int((values > 1e-5).sum())
+
+
+@pytest.mark.parametrize("name", bundled_cases())
+def test_dimensions(name: str, answers: dict[str, Screws]) -> None:
+    answer = answers[name]
+    limbs, platform = DIMENSIONS[name]
+    assert [limb.twist_dimension for limb in answer.limbs] == limbs
+    assert [limb.wrench_dimension for limb in answer.limbs] == [6 - d for d in limbs]
+    assert answer.platform.twist_dimension == platform == len(answer.platform.twists)
+    assert answer.platform.wrench_dimension == 6 - platform
+    assert (answer.order, answer.point) == ("direction-moment", "origin")
+
+
+@pytest.mark.parametrize("name", bundled_cases())
+def test_systems_agree_with_null_spaces_by_singular_values(
+    name: str, answers: dict[str, Screws]
+) -> None:
+    answer = answers[name]
+    for seed in (1, 2):
+        at = posture(name, seed)
+        for system in (*answer.limbs, answer.platform):
+            twists, wrenches = matrix(system.twists, at), matrix(system.wrenches, at)
+            assert rank(twists) == system.twist_dimension
+            assert rank(wrenches) == len(system.wrenches) == system.wrench_dimension
+            scale = np.abs(twists).max(initial=1) * np.abs(wrenches).max(initial=1)
+            assert np.abs(twists @ swapped(wrenches).T).max(initial=0) < 1e-12 * scale
+        together = [matrix(limb.wrenches, at) for limb in answer.limbs]
+        stacked = np.vstack([*together, matrix(answer.platform.wrenches, at)])
+        assert rank(stacked) == answer.platform.wrench_dimension
+
+
+@pytest.mark.parametrize("name", bundled_cases())
+def test_actuation_wrenches_lock_their_joint_alone(
+    name: str, answers: dict[str, Screws]
+) -> None:
+    answer, at = answers[name], posture(name, 3)
+    limbs = {limb.name: limb for limb in answer.limbs}
+    for entry in answer.actuation_wrenches:
+        limb = limbs[entry.limb]
+        twists = matrix(limb.twists, at)
+        place = limb.joints.index(entry.joint)
+        if entry.screw is None:
+            assert rank(np.delete(twists, place, 0)) == limb.twist_dimension
+            continue
+        wrench = matrix((entry.screw,), at)
+        power = (twists @ swapped(wrench).T).ravel()
+        scale = np.abs(twists).max() * np.abs(wrench).max()
+        assert abs(power[place]) > 1e-6 * scale
+        assert np.abs(np.delete(power, place)).max() < 1e-12 * scale
+    assert [w.joint for w in answer.actuation_wrenches] == [
+        joint for limb in answer.limbs for joint in limb.joints
+    ]
+
+
+@pytest.mark.parametrize("name", bundled_cases())
+def test_kind_axis_point_and_pitch_describe_the_coordinates(
+    name: str, answers: dict[str, Screws]
+) -> None:
+    at = posture(name, 4)
+    for screw in every_screw(answers[name]):
+        f, m = np.split(numbers(screw.coordinates, at), 2)
+        axis = numbers(screw.axis, at)
+        if screw.kind in ("couple", "translation"):
+            assert not f.any()
+            assert (screw.point, screw.pitch) == ((), "")
+            assert axis == pytest.approx(m)
+            continue
+        assert axis == pytest.approx(f)
+        pitch = float(numbers((screw.pitch,), at)[0])
+        assert (screw.pitch == "0") == (screw.kind in ("force", "rotation"))
+        expected = np.cross(numbers(screw.point, at), f) + pitch * f
+        assert m == pytest.approx(expected, rel=1e-8, abs=1e-8 * np.abs(f).max())
+
+
+@pytest.mark.parametrize("name", bundled_cases())
+def test_linear_order_exchanges_the_halves(
+    name: str, answers: dict[str, Screws]
+) -> None:
+    other = screws(sk.load(name), order="linear")
+    assert other.order == "moment-direction"
+    for here, there in zip(every_screw(answers[name]), every_screw(other), strict=True):
+        assert there.coordinates == (*here.coordinates[3:], *here.coordinates[:3])
+        assert there.axis == here.axis
+
+
+def test_an_order_is_one_of_two() -> None:
+    with pytest.raises(ValueError, match="neither"):
+        screws(sk.load("nao_t14"), order="alphabetical")
+
+
+@pytest.mark.parametrize("name", bundled_cases())
+def test_no_screw_is_longer_than_a_few_lines(
+    name: str, answers: dict[str, Screws]
+) -> None:
+    for screw in every_screw(answers[name]):
+        assert sum(map(len, screw.coordinates)) < 4000
+
+
+# -- what the paper and geometry say of the NAO --------------------------------------
+
+
+def test_nao_constraint_forces_join_the_centres(nao: Screws) -> None:
+    right, left = (limb.wrenches for limb in nao.limbs)
+    assert [w.description for w in (*right, *left)] == [
+        "force along the line through the common point of axes 1 and 2 and "
+        "the common point of axes 3, 4 and 5",
+        "force along the line through the common point of axes 6 and 7 and "
+        "the common point of axes 8, 9 and 10",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("joint", "words"),
+    [
+        ("1", "force through the common point of axes 3, 4 and 5, parallel to axis 2"),
+        ("2", "force through the common point of axes 3, 4 and 5, parallel to axis 1"),
+        ("6", "force through the common point of axes 8, 9 and 10, parallel to axis 7"),
+        ("7", "force through the common point of axes 8, 9 and 10, parallel to axis 6"),
+        ("3", "force along the intersection line of the planes of axes 1, 2 and of "
+              "axes 4, 5"),
+        ("8", "force along the intersection line of the planes of axes 6, 7 and of "
+              "axes 9, 10"),
+    ],
+)
+def test_nao_actuation_forces(nao: Screws, joint: str, words: str) -> None:
+    screw = next(w.screw for w in nao.actuation_wrenches if w.joint == joint)
+    assert screw is not None
+    assert screw.description == words
+
+
+def test_nao_platform_translates_normal_to_both_forces(nao: Screws) -> None:
+    kinds = [twist.kind for twist in nao.platform.twists]
+    assert sorted(kinds) == ["rotation"] * 3 + ["translation"]
+    axis = nao.platform.twists[kinds.index("rotation")]
+    assert axis.coordinates == ("0", "1", "0", "-b1", "0", "0")
+
+
+@pytest.fixture(scope="module")
+def published() -> dict[str, dict[str, list[str]]]:
+    return json.loads(REFERENCE.read_text())
+
+
+@pytest.fixture(scope="module")
+def rational_posture(published: dict[str, dict[str, str]]) -> BatchRing:
+    values: dict[str, float] = {
+        name: float(Fraction(str(value)))
+        for name, value in published["lengths"].items()
+        if name in ("b1", "r1", "d3", "r3", "r5")
+    }
+    for joint, tangent in published["tan_half_theta"].items():
+        offset = np.pi / 2 if joint in ("2", "7") else 0
+        values[f"q{joint}"] = float(2 * np.arctan(float(Fraction(tangent))) - offset)
+    return BatchRing(values)
+
+
+def test_nao_twists_at_the_published_posture(
+    nao: Screws, published: dict[str, dict[str, list[str]]], rational_posture: BatchRing
+) -> None:
+    for limb in nao.limbs:
+        for joint, twist in zip(limb.joints, limb.twists, strict=True):
+            exact = [float(Fraction(x)) for x in published["twists_base_frame"][joint]]
+            assert numbers(twist.coordinates, rational_posture) == pytest.approx(exact)
+
+
+def test_nao_wrenches_at_the_published_posture(
+    nao: Screws, published: dict[str, dict[str, list[str]]], rational_posture: BatchRing
+) -> None:
+    for limb in nao.limbs:
+        exact = [float(Fraction(x)) for x in published["constraint_wrenches"][limb.name]]
+        ours = numbers(limb.wrenches[0].coordinates, rational_posture)
+        assert rank(np.array([exact, ours])) == 1
+    places = published["points"]
+    for joint, (point, axis) in published["directions_of_actuation_forces"].items():
+        screw = next(w.screw for w in nao.actuation_wrenches if w.joint == joint)
+        assert screw is not None
+        p = [float(Fraction(x)) for x in places[point]]
+        s = [float(Fraction(x)) for x in published["twists_base_frame"][axis][:3]]
+        force = np.array([*s, *np.cross(p, s)])
+        ours = numbers(screw.coordinates, rational_posture)
+        assert rank(np.array([force, ours])) == 1
+
+
+# -- the other cases -----------------------------------------------------------------
+
+
+def test_scara_arms_carry_horizontal_couples(answers: dict[str, Screws]) -> None:
+    answer = answers["dual_scara"]
+    for limb in answer.limbs:
+        assert [w.kind for w in limb.wrenches] == ["couple", "couple"]
+    kinds = sorted(twist.kind for twist in answer.platform.twists)
+    assert kinds == ["rotation", "translation", "translation", "translation"]
+
+
+def test_planar_arms_carry_a_normal_force(answers: dict[str, Screws]) -> None:
+    for limb in answers["dual_planar_arm"].limbs:
+        assert sorted(w.kind for w in limb.wrenches) == ["couple", "couple", "force"]
+
+
+def test_only_the_elbow_of_a_seven_joint_arm_is_not_idle(
+    answers: dict[str, Screws],
+) -> None:
+    """Shoulder and wrist centre stay at a distance when the elbow is locked."""
+    entries = answers["dual_iiwa"].actuation_wrenches
+    found = {w.joint: w.screw.description for w in entries if w.screw is not None}
+    assert set(found) == {"A4", "B4"}
+    assert found["A4"] == (
+        "force along the line through the common point of axes A1, A2 and A3 and "
+        "the common point of axes A5, A6 and A7"
+    )
+
+
+def test_three_skew_forces_leave_rotations_about_lines_that_meet_them(
+    answers: dict[str, Screws],
+) -> None:
+    twists = answers["three_arms"].platform.twists
+    assert [twist.kind for twist in twists] == ["rotation"] * 3
+    assert all("meeting the constraint force of limb" in t.description for t in twists)
+
+
+# -- single limbs --------------------------------------------------------------------
+
+HEADER = """screwkit: 1
+name: one_limb
+geometry: mdh
+base: base
+platform: tool
+"""
+
+
+def one_limb(tmp_path: Path, rows: list[tuple[str, str]]) -> Screws:
+    """An arm with a table of (type, row)."""
+    links = ["base", *(f"l{i}" for i in range(1, len(rows) + 1)), "tool"]
+    text = HEADER + f"links: [{', '.join(links)}]\n"
+    symbols = sorted({"a", "b"} & set(" ".join(row for _, row in rows)))
+    text += "parameters:\n" + "".join(f"  {s}: {{positive: true}}\n" for s in symbols)
+    text += "joints:\n"
+    for i, (kind, row) in enumerate(rows):
+        text += (
+            f'  - {{name: "{i + 1}", type: {kind}, parent: {links[i]}, '
+            f"child: {links[i + 1]}, mdh: {{{row}}}}}\n"
+        )
+    text += f"  - {{name: hold, type: fixed, parent: {links[-2]}, child: tool}}\n"
+    path = tmp_path / "one.yaml"
+    path.write_text(text)
+    return screws(sk.load(path))
+
+
+def test_prismatic_joints_are_locked_by_forces(tmp_path: Path) -> None:
+    cartesian = [
+        ("prismatic", "d: a"),
+        ("prismatic", "alpha: pi/2"),
+        ("prismatic", "gamma: pi/2, alpha: pi/2"),
+    ]
+    answer = one_limb(tmp_path, cartesian)
+    assert [w.kind for w in answer.limbs[0].wrenches] == ["couple"] * 3
+    assert [t.kind for t in answer.platform.twists] == ["translation"] * 3
+    kinds = [w.screw and w.screw.kind for w in answer.actuation_wrenches]
+    assert kinds == ["force"] * 3
+
+
+def test_a_general_arm_has_a_constraint_of_some_pitch(tmp_path: Path) -> None:
+    """Five axes without any common point: no line of the geometry is reciprocal."""
+    skew = [("revolute", f"d: {k}, alpha: pi/3, r: {k + 1}") for k in range(1, 6)]
+    answer = one_limb(tmp_path, skew)
+    (wrench,) = answer.limbs[0].wrenches
+    assert wrench.kind == "screw"
+    assert wrench.pitch not in ("", "0")
+    parse(wrench.pitch, limits=RESULT_LIMITS)
+
+
+def test_parallel_axes_twice_on_one_line_are_idle(tmp_path: Path) -> None:
+    answer = one_limb(
+        tmp_path, [("revolute", "d: a"), ("revolute", "r: b"), ("revolute", "d: a")]
+    )
+    assert answer.limbs[0].twist_dimension == 2
+    assert len(answer.limbs[0].wrenches) == 4
+    assert [w.screw is None for w in answer.actuation_wrenches] == [True, True, False]
