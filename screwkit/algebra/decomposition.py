@@ -18,14 +18,13 @@ from itertools import combinations
 
 from screwkit.algebra.branches import (
     Branch,
-    Substitution,
-    angle_parts,
     is_solvable,
     restricted,
     split,
 )
 from screwkit.algebra.factors import Factor, FactorLibrary, factor
 from screwkit.algebra.points import residue
+from screwkit.algebra.substitution import Substitution, angle_parts
 from screwkit.algebra.trigonometric import Polynomial, primitive
 
 _SHORT = 24  # terms of a polynomial from which resolvents are formed

@@ -1,0 +1,176 @@
+"""How an irreducible condition is solved, where it can be.
+
+Three forms are solved outright: an angle up to its two sheets (``sin q4 = 0``), an angle
+fixed by numbers, and a length that occurs linearly with a coefficient that cannot vanish
+at the same time.  Each gives a substitution that covers all real zeros.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from weakref import WeakKeyDictionary
+
+from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.substitution import (
+    Substitution,
+    angle_parts,
+    linear_parts,
+    substituted,
+)
+from screwkit.algebra.survey import rational_root
+from screwkit.algebra.trigonometric import (
+    Polynomial,
+    TrigonometricRing,
+    as_fraction,
+)
+
+Steps = list[Substitution]
+
+_SOLVED: WeakKeyDictionary[
+    TrigonometricRing, dict[tuple[str, Assumptions], Steps | None]
+] = WeakKeyDictionary()
+
+
+def steps_of(
+    ring: TrigonometricRing, assumptions: Assumptions, condition: Polynomial
+) -> Steps | None:
+    """One substitution per sheet; empty without real zeros; None where not solved."""
+    known = _SOLVED.setdefault(ring, {})
+    key = str(condition), assumptions
+    if key not in known:
+        known[key] = _attempts(ring, assumptions, condition)
+    return known[key]
+
+
+def _attempts(
+    ring: TrigonometricRing, assumptions: Assumptions, condition: Polynomial
+) -> Steps | None:
+    steps = _angle_steps(ring, condition)
+    if steps is None:
+        steps = _constant_angle_steps(ring, condition)
+    if steps is None:
+        steps = _symbol_steps(ring, assumptions, condition)
+    return steps
+
+
+def _angle_steps(ring: TrigonometricRing, condition: Polynomial) -> Steps | None:
+    """P·sin φ + Q·cos φ = 0 with P² + Q² a square number: two sheets."""
+    for angle in range(len(ring.basis)):
+        parts = angle_parts(ring, condition, angle)
+        if parts is None:
+            continue
+        p, q, rest = parts
+        if rest != 0:
+            continue
+        square = ring.normal(p * p + q * q)
+        if not square.is_constant():
+            continue
+        root = rational_root(as_fraction(square))
+        if root is None:
+            continue
+        scale = ring.rational(1 / root)
+        return [
+            Substitution(
+                (
+                    (ring.sine_index(angle), ring.normal(-q * scale * sign)),
+                    (ring.cosine_index(angle), ring.normal(p * scale * sign)),
+                ),
+                ring.one,
+                sheet=_sheet(ring, angle, p * scale * sign, -q * scale * sign),
+            )
+            for sign in (1, -1)
+        ]
+    return None
+
+
+def _sheet(
+    ring: TrigonometricRing, angle: int, cosine: Polynomial, sine: Polynomial
+) -> Polynomial:
+    """cos(φ − φ₀) − 1, which is 0 on the sheet φ = φ₀ and −2 on the other."""
+    along = ring.cosines[angle] * cosine + ring.sines[angle] * sine
+    return ring.normal(along - 1)
+
+
+def half_angle_steps(
+    ring: TrigonometricRing,
+    assumptions: Assumptions,
+    condition: Polynomial,
+    companions: Sequence[Polynomial],
+) -> Steps | None:
+    """Two linear equations in the sine and cosine of one angle: one sheet."""
+    for angle in range(len(ring.basis)):
+        rows = [angle_parts(ring, e, angle) for e in (condition, *companions)]
+        found = [row for row in rows if row is not None]
+        if len(found) != 2 or len(found) != len(rows):
+            continue
+        (p, q, r), (u, v, w) = found
+        divisor = ring.normal(p * v - q * u)
+        if divisor == 0 or not assumptions.is_nonzero(ring, divisor):
+            continue
+        sine = ring.normal(q * w - r * v)
+        cosine = ring.normal(r * u - p * w)
+        if ring.normal(sine * sine + cosine * cosine - divisor * divisor) != 0:
+            continue
+        images = ((ring.sine_index(angle), sine), (ring.cosine_index(angle), cosine))
+        return [Substitution(images, divisor)]
+    return None
+
+
+def _constant_angle_steps(
+    ring: TrigonometricRing, condition: Polynomial
+) -> Steps | None:
+    """a·sin φ + b·cos φ + c = 0 in numbers: φ is an algebraic constant."""
+    for angle in range(len(ring.basis)):
+        parts = angle_parts(ring, condition, angle)
+        if parts is None or not all(part.is_constant() for part in parts):
+            continue
+        a, b, c = (as_fraction(part) for part in parts)
+        if c * c > a * a + b * b:
+            return []
+        sine, cosine = ring.sines[angle], ring.cosines[angle]
+        # Eliminate the one with a coefficient; the other satisfies a quadratic.
+        if a:
+            kept, gone = cosine, ring.sine_index(angle)
+            index, u, v = ring.cosine_index(angle), -b / a, -c / a
+        else:
+            kept, gone = sine, ring.cosine_index(angle)
+            index, u, v = ring.sine_index(angle), Fraction(0), -c / b
+        image = kept * ring.rational(u) + ring.rational(v)
+        relation = kept * kept + image * image - 1
+        lead = as_fraction(ring.one) + u * u
+        relation = relation * ring.rational(1 / lead)
+        return [Substitution(((gone, image),), ring.one, (index, 2, relation))]
+    return None
+
+
+def _symbol_steps(
+    ring: TrigonometricRing, assumptions: Assumptions, condition: Polynomial
+) -> Steps | None:
+    """A·x + B = 0 where A and B have no common zero: x = −B/A."""
+    degrees = condition.degrees()
+    for index in ring.symbol_indices():
+        if degrees[index] != 1:
+            continue
+        factor, rest = linear_parts(ring, condition, index)
+        if assumptions.is_nonzero(ring, factor):
+            return [Substitution(((index, -rest),), factor)]
+        if _never_both(ring, assumptions, factor, rest):
+            return [Substitution(((index, -rest),), factor)]
+    return None
+
+
+def _never_both(
+    ring: TrigonometricRing,
+    assumptions: Assumptions,
+    factor: Polynomial,
+    rest: Polynomial,
+) -> bool:
+    """Whether ``factor`` = 0 implies ``rest`` ≠ 0, by solving ``factor`` = 0."""
+    steps = _angle_steps(ring, factor) or _constant_angle_steps(ring, factor)
+    if steps is None:
+        return False
+    return all(
+        assumptions.is_nonzero(ring, substituted(ring, [rest], step)[0])
+        for step in steps
+    )

@@ -1,0 +1,139 @@
+"""Exact points on conditions that were not solved: a root modulo a prime.
+
+All generators but those of one symbol or angle are fixed at random; what is left is a
+polynomial in one unknown, whose roots mod p FLINT finds.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from typing import Any
+
+from flint import nmod_poly
+
+from screwkit.algebra.points import Point, random_angle, residue
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+
+
+def moved_onto(
+    ring: TrigonometricRing,
+    pending: Sequence[Polynomial],
+    point: Point,
+    source: random.Random,
+    prime: int,
+) -> Point | None:
+    """Move the point onto all pending conditions, each along a generator of its own."""
+    remaining = list(pending)
+    while remaining:
+        others = [set(_used(ring, p)) for p in remaining]
+        for position in range(len(remaining)):
+            later = set().union(*others[:position], *others[position + 1 :])
+            free = [u for u in others[position] if u not in later]
+            if free:
+                break
+        else:
+            return None
+        condition = remaining.pop(position)
+        # Solve the others first: they do not contain the variable kept for this one.
+        solved = moved_onto(ring, remaining, point, source, prime)
+        if solved is None:
+            return None
+        return _onto(ring, condition, free, solved, source, prime)
+    return point
+
+
+def _used(ring: TrigonometricRing, polynomial: Polynomial) -> list[tuple[str, int]]:
+    degrees = polynomial.degrees()
+    used = [("x", i) for i in ring.symbol_indices() if degrees[i]]
+    used += [
+        ("angle", k)
+        for k in range(len(ring.basis))
+        if degrees[ring.sine_index(k)] or degrees[ring.cosine_index(k)]
+    ]
+    return used
+
+
+def _onto(
+    ring: TrigonometricRing,
+    condition: Polynomial,
+    free: Sequence[tuple[str, int]],
+    point: Point,
+    source: random.Random,
+    prime: int,
+) -> Point | None:
+    for kind, number in source.sample(list(free), len(free)):
+        moved = list(point)
+        if kind == "x":
+            root = root_in(condition, number, point, source, prime)
+            if root:
+                moved[number] = root
+                return moved
+        else:
+            pair = _angle_root(ring, condition, number, point, source, prime)
+            if pair is not None:
+                moved[ring.cosine_index(number)], moved[ring.sine_index(number)] = pair
+                return moved
+    return None
+
+
+def _angle_root(
+    ring: TrigonometricRing,
+    condition: Polynomial,
+    angle: int,
+    point: Point,
+    source: random.Random,
+    prime: int,
+) -> tuple[int, int] | None:
+    """(cos, sin) of an angle that makes the condition vanish, by its half-tangent."""
+    sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)
+    parts: dict[tuple[int, int], dict[tuple[int, ...], Any]] = {}
+    for exponents, coefficient in condition.to_dict().items():
+        key = (int(exponents[sine]), int(exponents[cosine]))
+        rest = tuple(0 if i in (sine, cosine) else e for i, e in enumerate(exponents))
+        parts.setdefault(key, {})[rest] = coefficient
+    degree = max(s + c for s, c in parts)
+    context = condition.context()
+    total = nmod_poly([0], prime)
+    for (s, c), terms in parts.items():
+        value = residue(context.from_dict(terms), point, prime)
+        term = nmod_poly([value], prime)
+        term *= nmod_poly([0, 2], prime) ** s * nmod_poly([1, 0, -1], prime) ** c
+        total += term * nmod_poly([1, 0, 1], prime) ** (degree - s - c)
+    if total == 0:
+        return random_angle(source, prime)
+    if total.degree() < 1:
+        return None
+    roots = [int(root) for root, _ in total.roots()]
+    source.shuffle(roots)
+    for t in roots:
+        below = (1 + t * t) % prime
+        if below:
+            inverse = pow(below, -1, prime)
+            return (1 - t * t) * inverse % prime, 2 * t * inverse % prime
+    return None
+
+
+def root_in(
+    polynomial: Polynomial,
+    index: int,
+    point: Point,
+    source: random.Random,
+    prime: int,
+) -> int | None:
+    """A root mod p of a polynomial in one generator, the others fixed."""
+    values = list(point)
+    values[index] = 1
+    parts: dict[int, dict[tuple[int, ...], Any]] = {}
+    for exponents, coefficient in polynomial.to_dict().items():
+        parts.setdefault(int(exponents[index]), {})[tuple(exponents)] = coefficient
+    context = polynomial.context()
+    coefficients = {
+        power: residue(context.from_dict(terms), values, prime)
+        for power, terms in parts.items()
+    }
+    dense = [coefficients.get(k, 0) for k in range(max(coefficients) + 1)]
+    roots = nmod_poly(dense, prime).roots()
+    if not roots:
+        return None
+    return int(source.choice(roots)[0])

@@ -1,0 +1,143 @@
+"""Generators replaced by polynomials, over a divisor that is nowhere zero.
+
+Solving a condition makes everything after it shorter; doing so without fractions keeps
+a screw a screw, because a common factor of its coordinates does not matter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from screwkit.algebra.trigonometric import (
+    Polynomial,
+    TrigonometricRing,
+    as_fraction,
+)
+
+
+@dataclass(frozen=True)
+class Substitution:
+    """Generators replaced by polynomials, over a divisor that is nowhere zero there.
+
+    Attributes:
+        images: (index of a generator, its numerator).
+        divisor: Common denominator of the images.
+        relation: A further relation in one generator, (index, degree, polynomial).
+        sheet: A polynomial that vanishes on this sheet of the solution and not on the
+            other; None where there is one sheet only.
+        condition: What was solved.
+        companions: Further equations of a condition that takes several.
+    """
+
+    images: tuple[tuple[int, Polynomial], ...]
+    divisor: Polynomial
+    relation: tuple[int, int, Polynomial] | None = None
+    sheet: Polynomial | None = None
+    condition: Polynomial | None = None
+    companions: tuple[Polynomial, ...] = ()
+
+
+def substituted(
+    ring: TrigonometricRing, values: Sequence[Polynomial], step: Substitution
+) -> list[Polynomial]:
+    """A vector after a step, up to a power of the step's divisor."""
+    gens = list(ring.context.gens())
+    for index, image in step.images:
+        gens[index] = image
+    if step.divisor.is_constant():
+        scale = ring.rational(1 / as_fraction(step.divisor))
+        for index, image in step.images:
+            gens[index] = image * scale
+        replaced = [_composed(value, gens) for value in values]
+    else:
+        indices = [index for index, _ in step.images]
+        power = max((_degree_in(v, indices) for v in values), default=0)
+        replaced = [_fraction_free(ring, value, step, power) for value in values]
+    normal = [ring.normal(value) for value in replaced]
+    if step.relation is not None:
+        index, degree, relation = step.relation
+        normal = [
+            divmod(v, relation)[1] if v != 0 and v.degrees()[index] >= degree else v
+            for v in normal
+        ]
+    return normal
+
+
+def _composed(value: Polynomial, images: Sequence[Polynomial]) -> Polynomial:
+    return value if value.is_constant() else value.compose(*images)
+
+
+def _degree_in(value: Polynomial, indices: Sequence[int]) -> int:
+    """Largest total degree in some generators."""
+    if value.is_constant():
+        return 0
+    degrees = value.degrees()
+    if len(indices) == 1:
+        return int(degrees[indices[0]])
+    if not any(degrees[i] for i in indices):
+        return 0
+    return max(int(sum(e[i] for i in indices)) for e in value.monoms())
+
+
+def _fraction_free(
+    ring: TrigonometricRing, value: Polynomial, step: Substitution, power: int
+) -> Polynomial:
+    """divisor^power · value with each generator replaced by image/divisor."""
+    if value == 0:
+        return value
+    indices = [index for index, _ in step.images]
+    if value.is_constant() or not any(value.degrees()[i] for i in indices):
+        return value * step.divisor**power
+    parts: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
+    for exponents, coefficient in value.to_dict().items():
+        rest = tuple(0 if i in indices else e for i, e in enumerate(exponents))
+        key = tuple(int(exponents[i]) for i in indices)
+        parts.setdefault(key, {})[rest] = coefficient
+    total = ring.zero
+    for key, terms in parts.items():
+        term = ring.context.from_dict(terms) * step.divisor ** (power - sum(key))
+        for (_, image), exponent in zip(step.images, key, strict=True):
+            term = term * image**exponent
+        total += term
+    return total
+
+
+def angle_parts(
+    ring: TrigonometricRing, polynomial: Polynomial, angle: int
+) -> tuple[Polynomial, Polynomial, Polynomial] | None:
+    """(P, Q, R) with polynomial = P·sin φ + Q·cos φ + R, all free of φ.
+
+    None where φ does not occur or occurs to a higher degree.
+    """
+    sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)
+    degrees = polynomial.degrees()
+    if not 0 < max(degrees[sine], degrees[cosine]) <= 1:
+        return None
+    if degrees[sine] and degrees[cosine]:
+        split: list[dict[tuple[int, ...], Any]] = [{}, {}, {}]
+        for exponents, coefficient in polynomial.to_dict().items():
+            s, c = int(exponents[sine]), int(exponents[cosine])
+            if s and c:
+                return None
+            rest = tuple(
+                0 if i in (sine, cosine) else e for i, e in enumerate(exponents)
+            )
+            split[0 if s else 1 if c else 2][rest] = coefficient
+        p, q, r = (ring.context.from_dict(part) for part in split)
+        return p, q, r
+    index = sine if degrees[sine] else cosine
+    factor, rest = linear_parts(ring, polynomial, index)
+    if index == sine:
+        return factor, ring.zero, rest
+    return ring.zero, factor, rest
+
+
+def linear_parts(
+    ring: TrigonometricRing, polynomial: Polynomial, index: int
+) -> tuple[Polynomial, Polynomial]:
+    """(A, B) with polynomial = A·x + B, for a generator of degree one."""
+    factor = polynomial.derivative(index)
+    rest = polynomial - factor * ring.context.gens()[index]
+    return factor, rest
