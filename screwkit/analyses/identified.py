@@ -10,13 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from screwkit.algebra.expression_building import (
-    add,
-    multiply,
-    power,
-    quotient,
-    subtract,
-)
+from screwkit.algebra.expression_building import quotient
 from screwkit.algebra.polynomial_text import text, to_expression
 from screwkit.algebra.text import expression_text
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
@@ -26,6 +20,8 @@ from screwkit.loci.reciprocals import FoundScrew
 from screwkit.results.screws import IdentifiedScrew
 from screwkit.screws.nullspace import Column, shortened
 from screwkit.screws.vector import Vector, cross, dot, normal
+
+EXPANDED = 300  # terms of a screw whose foot is worked out
 
 
 class ScrewWriter:
@@ -117,6 +113,8 @@ class ScrewWriter:
             return self._texts(screw.point)
         direction, moment = screw.column[DIRECTION], screw.column[MOMENT]
         ring = self._ring
+        if _terms(screw.column) > EXPANDED:
+            return self._foot(screw.column)
         square = ring.normal(dot(direction, direction))
         places = [(normal(ring, cross(direction, moment)), square)]
         if ring.normal(dot(direction, moment)) == 0:
@@ -136,19 +134,26 @@ class ScrewWriter:
         """Pitch (one value above) or foot (three), unexpanded where that is shorter."""
         if _terms((*above, below)) <= 2 * _terms(column):
             return tuple(self.ratio(value, below) for value in above)
-        f, m = (
-            [to_expression(self._ring, value) for value in part]
-            for part in (column[DIRECTION], column[MOMENT])
-        )
-        square = add(*(power(value, 2) for value in f))
-        if len(above) == 1:
-            product = add(*(multiply(a, b) for a, b in zip(f, m, strict=True)))
-            return (expression_text(quotient(product, square)),)
-        foot = [
-            subtract(multiply(f[j], m[k]), multiply(f[k], m[j]))
+        if len(above) == 3:
+            return self._foot(column)
+        f, m = self._halves(column)
+        pairs = zip(f, m, strict=True)
+        product = " + ".join(f"{a}*{b}" for a, b in pairs if "0" not in (a, b))
+        return (f"({product})/({_square(f)})",)
+
+    def _foot(self, column: Column) -> tuple[str, ...]:
+        """(f×m)/(f·f), not expanded."""
+        f, m = self._halves(column)
+        return tuple(
+            f"({f[j]}*{m[k]} - {f[k]}*{m[j]})/({_square(f)})"
             for j, k in ((1, 2), (2, 0), (0, 1))
-        ]
-        return tuple(expression_text(quotient(value, square)) for value in foot)
+        )
+
+    def _halves(self, column: Column) -> tuple[list[str], list[str]]:
+        return (
+            [_bracketed(written) for written in self._texts(column[DIRECTION])],
+            [_bracketed(written) for written in self._texts(column[MOMENT])],
+        )
 
     def ratio(self, above: Polynomial, below: Polynomial) -> str:
         """A quotient without common factors."""
@@ -164,6 +169,14 @@ class ScrewWriter:
 
     def _texts(self, values: Sequence[Polynomial]) -> tuple[str, ...]:
         return tuple(text(self._ring, value) for value in values)
+
+
+def _square(vector: Sequence[str]) -> str:
+    return " + ".join(f"{value}^2" for value in vector if value != "0")
+
+
+def _bracketed(written: str) -> str:
+    return written if written.isalnum() else f"({written})"
 
 
 def _terms(values: Sequence[Polynomial]) -> int:

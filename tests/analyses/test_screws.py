@@ -1,4 +1,4 @@
-"""The screw systems of the bundled cases: what is printed is reciprocal, and is right."""
+"""The screw systems of the bundled cases: what is printed is reciprocal and right."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 import screwkit as sk
+from screwkit.algebra.batch import BatchRing
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.parse import RESULT_LIMITS, parse
-from screwkit.algebra.batch import BatchRing
 from screwkit.case import bundled_cases
 from screwkit.questions import screws
 from screwkit.results.screws import IdentifiedScrew, Screws
@@ -195,10 +195,16 @@ def test_nao_constraint_forces_join_the_centres(nao: Screws) -> None:
         ("2", "force through the common point of axes 3, 4 and 5, parallel to axis 1"),
         ("6", "force through the common point of axes 8, 9 and 10, parallel to axis 7"),
         ("7", "force through the common point of axes 8, 9 and 10, parallel to axis 6"),
-        ("3", "force along the intersection line of the planes of axes 1, 2 and of "
-              "axes 4, 5"),
-        ("8", "force along the intersection line of the planes of axes 6, 7 and of "
-              "axes 9, 10"),
+        (
+            "3",
+            "force along the intersection line of the planes of axes 1, 2 and of "
+            "axes 4, 5",
+        ),
+        (
+            "8",
+            "force along the intersection line of the planes of axes 6, 7 and of "
+            "axes 9, 10",
+        ),
     ],
 )
 def test_nao_actuation_forces(nao: Screws, joint: str, words: str) -> None:
@@ -245,7 +251,9 @@ def test_nao_wrenches_at_the_published_posture(
     nao: Screws, published: dict[str, dict[str, list[str]]], rational_posture: BatchRing
 ) -> None:
     for limb in nao.limbs:
-        exact = [float(Fraction(x)) for x in published["constraint_wrenches"][limb.name]]
+        exact = [
+            float(Fraction(x)) for x in published["constraint_wrenches"][limb.name]
+        ]
         ours = numbers(limb.wrenches[0].coordinates, rational_posture)
         assert rank(np.array([exact, ours])) == 1
     places = published["points"]
