@@ -27,7 +27,17 @@ _HOMES = {
     "screws": "screwkit.questions",
     "singularities": "screwkit.questions",
 }
-__all__ = [*_HOMES, "__version__"]
+__all__ = [
+    "Case",
+    "__version__",
+    "analyze",
+    "bundled_cases",
+    "load",
+    "mobility",
+    "schemes",
+    "screws",
+    "singularities",
+]
 
 
 def __getattr__(name: str) -> Any:

@@ -1,0 +1,1 @@
+"""Exact algebra: rings, minors, factors, and the zeros of polynomials."""

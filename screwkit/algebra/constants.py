@@ -64,7 +64,9 @@ class ConstantField:
     @property
     def minimal_polynomials(self) -> Mapping[str, tuple[int, ...]]:
         """Coefficients, constant term first, of each generator's polynomial."""
-        polynomials = {f"r{p}": (-p, 0, 1) for p in self.primes}
+        polynomials: dict[str, tuple[int, ...]] = {
+            f"r{p}": (-p, 0, 1) for p in self.primes
+        }
         if self.turn:
             polynomials["z"] = _minimal_of_cosine(2 * self.turn)
         return polynomials

@@ -1,8 +1,8 @@
 """How an irreducible condition is solved, where it can be.
 
-Three forms are solved outright: an angle up to its two sheets (``sin q4 = 0``), an angle
-fixed by numbers, and a length that occurs linearly with a coefficient that cannot vanish
-at the same time.  Each gives a substitution that covers all real zeros.
+Three forms are solved outright: an angle up to its two sheets (``sin q4 = 0``), an
+angle fixed by numbers, and a length that occurs linearly with a coefficient that cannot
+vanish at the same time.  Each gives substitutions that cover all real zeros.
 """
 
 from __future__ import annotations

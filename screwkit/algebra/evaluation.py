@@ -2,7 +2,7 @@
 
 An expression is met in two roles: as a number (a length, a coordinate) and as an
 angle.  An angle is never a number here but the pair (cos, sin), so that everything
-stays polynomial; that is why ``alpha: q1/2`` is refused and ``alpha: atan(3/4)`` is not.
+stays polynomial; that is why ``alpha: q1/2`` is refused, and ``alpha: atan(3/4)`` not.
 """
 
 from __future__ import annotations
@@ -51,10 +51,10 @@ def evaluate(expression: Expression, ring: Ring[S]) -> S:
                 product = product * evaluate(factor, ring)
             return ring.normal(product)
         case Power(base, exponent):
-            value = _power(evaluate(base, ring), abs(exponent), ring)
+            raised = _power(evaluate(base, ring), abs(exponent), ring)
             if exponent > 0:
-                return value
-            return ring.inverse(Power(base, -exponent), value)
+                return raised
+            return ring.inverse(Power(base, -exponent), raised)
         case Quotient(numerator, denominator):
             below = ring.inverse(denominator, evaluate(denominator, ring))
             return ring.normal(evaluate(numerator, ring) * below)

@@ -39,7 +39,7 @@ def moved_onto(
         solved = moved_onto(ring, remaining, point, source, prime)
         if solved is None:
             return None
-        return _onto(ring, condition, free, solved, source, prime)
+        return _onto(ring, condition, free, solved, prime, source=source)
     return point
 
 
@@ -59,8 +59,9 @@ def _onto(
     condition: Polynomial,
     free: Sequence[tuple[str, int]],
     point: Point,
-    source: random.Random,
     prime: int,
+    *,
+    source: random.Random,
 ) -> Point | None:
     for kind, number in source.sample(list(free), len(free)):
         moved = list(point)
@@ -70,7 +71,7 @@ def _onto(
                 moved[number] = root
                 return moved
         else:
-            pair = _angle_root(ring, condition, number, point, source, prime)
+            pair = _angle_root(ring, condition, number, point, prime, source=source)
             if pair is not None:
                 moved[ring.cosine_index(number)], moved[ring.sine_index(number)] = pair
                 return moved
@@ -82,8 +83,9 @@ def _angle_root(
     condition: Polynomial,
     angle: int,
     point: Point,
-    source: random.Random,
     prime: int,
+    *,
+    source: random.Random,
 ) -> tuple[int, int] | None:
     """(cos, sin) of an angle that makes the condition vanish, by its half-tangent."""
     sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)

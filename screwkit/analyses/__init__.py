@@ -1,0 +1,1 @@
+"""One question a module: each takes an assembly and returns a frozen result."""

@@ -32,7 +32,7 @@ _BUDGET = 60
 
 
 def motion_cases(assembly: Assembly, generic: str) -> tuple[MotionCase, ...]:
-    """The generic motion type first, then where it is another, or for another reason."""
+    """The generic motion type, then where it is another, or for another reason."""
     forces = _constraint_forces(assembly)
     if forces is None:
         return (MotionCase((), (), generic, ""),)

@@ -176,9 +176,13 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
     limbs = [[framed.column(j) for j in limb.joints] for limb in assembly.limbs]
     strata = [
         in_ring(
-            limb_strata(assembly, limb), assembly.limb_twists[limb.name].ring, framed.ring
+            limb_strata(assembly, limb),
+            assembly.limb_twists[limb.name].ring,
+            framed.ring,
         )
-        for limb in assembly.limbs
+        for limb, twists in zip(
+            assembly.limbs, assembly.limb_twists.values(), strict=True
+        )
     ]
     drop = loop_drop(root, limbs, strata, Search(library))
     meanings = Meanings(framed, root, library)
@@ -259,7 +263,8 @@ def actuation_singularities(
     """Where, with these joints locked, the platform can move."""
     locus = actuation_locus(assembly, actuated)
     meanings = locus.meanings
-    moving, idle = [], []
+    moving: list[Component] = []
+    idle: list[Component] = []
     for piece, state in zip(locus.pieces, locus.states, strict=True):
         component = Component(
             equations=equations_of(piece),

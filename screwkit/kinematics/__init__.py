@@ -1,0 +1,1 @@
+"""From a mechanism to its screws, written once over any ring."""

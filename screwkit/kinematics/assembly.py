@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
+from typing import TypeVar
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch
@@ -30,6 +31,8 @@ from screwkit.kinematics.values import with_values
 from screwkit.mechanism.graph import independent_loops
 from screwkit.mechanism.graph import limbs as limbs_of
 from screwkit.mechanism.model import Mechanism, freedom_label
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -137,7 +140,7 @@ class Assembly:
     def _chains(self) -> tuple[str, ...]:
         return tuple(name for limb in self.limbs for name in limb.chain)
 
-    def random_twists(self, seed: int) -> tuple[dict[str, list[object]], int]:
+    def random_twists(self, seed: int) -> tuple[dict[str, list[int]], int]:
         """The twists of all limbs at a random exact posture, and the prime.
 
         Independent of the polynomials: the kinematics is run over residues.
@@ -155,18 +158,21 @@ class Assembly:
                 )
             except ResampleError:
                 continue
-            return {n: list(t.coordinates) for n, t in twists.items()}, prime
+            return {
+                name: [int(x) for x in twist.coordinates]
+                for name, twist in twists.items()
+            }, prime
         raise UndecidedError("no random exact posture was found in 200 attempts")
 
     @cached_property
-    def random_postures(self) -> tuple[tuple[dict[str, list[object]], int], ...]:
+    def random_postures(self) -> tuple[tuple[dict[str, list[int]], int], ...]:
         """Two random exact postures modulo two primes."""
         return self.random_twists(1), self.random_twists(2)
 
     def generic_rank(self, joints: Sequence[str]) -> int:
         """Rank of the twists of some joints, generic over all symbols."""
         return max(
-            rank([twists[name] for name in joints], prime)  # type: ignore[arg-type]
+            rank([twists[name] for name in joints], prime)
             for twists, prime in self.random_postures
         )
 
@@ -209,17 +215,15 @@ class Assembly:
         return freedom_label(self.mechanism.joint(joint), 0)
 
 
-def loop_rows(limbs: Sequence[Sequence[Sequence[object]]]) -> list[list[object]]:
+def loop_rows(limbs: Sequence[Sequence[Sequence[T]]]) -> list[list[T]]:
     """Transposed loop constraint matrix of limbs given by their twists.
 
     Each limb after the first closes a loop with the first: [T1 −T2 0; T1 0 −T3].
     """
     if len(limbs) < 2:
         return []
-    rows: list[list[object]] = []
     loops = len(limbs) - 1
-    for column in limbs[0]:
-        rows.append([*column] * loops)
+    rows = [[*column] * loops for column in limbs[0]]
     for number, limb in enumerate(limbs[1:]):
         for column in limb:
             zero = [column[0] - column[0]]  # type: ignore[operator]

@@ -20,28 +20,30 @@ Signs = tuple[int, int, int]
 
 
 def mirrored_joints(assembly: Assembly) -> tuple[tuple[str, str], ...]:
-    """Pairs of joints of two limbs that a symmetry exchanges; empty if there is none."""
+    """Pairs of joints of two limbs that a symmetry exchanges; empty without one."""
     if len(assembly.limbs) != 2:
         return ()
     first, second = assembly.limbs
     if len(first.joints) != len(second.joints):
         return ()
-    for signs in product((1, -1), repeat=3):
+    for x, y, z in product((1, -1), repeat=3):
+        signs = (x, y, z)
         if signs == (1, 1, 1):
             continue
-        turns = _matching(assembly, first, second, signs)
-        if turns is not None and _confirmed(assembly, first, second, signs, turns):
+        turns = _matching(assembly, (first, second), signs)
+        if turns is not None and _confirmed(assembly, (first, second), signs, turns):
             return tuple(zip(first.joints, second.joints, strict=True))
     return ()
 
 
 def _matching(
-    assembly: Assembly, first: SerialLimb, second: SerialLimb, signs: Signs
+    assembly: Assembly, pair: tuple[SerialLimb, SerialLimb], signs: Signs
 ) -> list[tuple[int, int]] | None:
-    """For each joint of ``second`` the sign of its angle and whether it is shifted by π."""
+    """For each joint of ``second`` the sign of its angle, and a shift by π."""
+    first, _ = pair
     turns: list[tuple[int, int]] = []
     while True:
-        matched = _agreement(assembly, first, second, signs, turns, seed=5)
+        matched = _agreement(assembly, pair, signs, turns, seed=5)
         if matched < len(turns) + 1:
             return None
         if len(turns) == len(first.joints):
@@ -49,7 +51,7 @@ def _matching(
         for choice in ((1, 0), (-1, 0), (1, 1), (-1, 1)):
             tried = [*turns, choice]
             wanted = min(len(tried) + 1, len(first.joints))
-            agreed = _agreement(assembly, first, second, signs, tried, seed=5)
+            agreed = _agreement(assembly, pair, signs, tried, seed=5)
             if agreed >= wanted:
                 turns = tried
                 break
@@ -61,26 +63,25 @@ def _matching(
 
 def _confirmed(
     assembly: Assembly,
-    first: SerialLimb,
-    second: SerialLimb,
+    pair: tuple[SerialLimb, SerialLimb],
     signs: Signs,
     turns: Sequence[tuple[int, int]],
 ) -> bool:
-    agreed = _agreement(assembly, first, second, signs, turns, seed=6)
-    return agreed == len(first.joints)
+    agreed = _agreement(assembly, pair, signs, turns, seed=6)
+    return agreed == len(pair[0].joints)
 
 
 def _agreement(
     assembly: Assembly,
-    first: SerialLimb,
-    second: SerialLimb,
+    pair: tuple[SerialLimb, SerialLimb],
     signs: Signs,
     turns: Sequence[tuple[int, int]],
     seed: int,
 ) -> int:
     """How many leading joints of the limbs are images of each other."""
+    first, second = pair
     prime = prime_for(12, [Fraction(2), Fraction(3)], seed)
-    ring = _LinkedRing(seed, prime, _links(assembly, first, second, turns))
+    ring = _LinkedRing(seed, prime, _links(assembly, pair, turns))
     mechanism = assembly.mechanism
     chains = (*first.chain, *second.chain)
     twists = joint_twists(mechanism, ring, mechanism.base, chains)
@@ -95,12 +96,11 @@ def _agreement(
 
 def _links(
     assembly: Assembly,
-    first: SerialLimb,
-    second: SerialLimb,
+    pair: tuple[SerialLimb, SerialLimb],
     turns: Sequence[tuple[int, int]],
 ) -> dict[str, tuple[str, int, int]]:
     links = {}
-    pairs = zip(first.joints, second.joints, strict=True)
+    pairs = zip(pair[0].joints, pair[1].joints, strict=True)
     for (a, b), (sign, shifted) in zip(pairs, turns, strict=False):
         variable = assembly.mechanism.joint(a).variables[0]
         links[assembly.mechanism.joint(b).variables[0]] = (variable, sign, shifted)

@@ -84,7 +84,7 @@ class Statement:
     kind: str
     words: str
     joints: tuple[str, ...]
-    scalars: Callable[[Features[S]], Sequence[S]]  # type: ignore[valid-type]
+    scalars: Callable[[Features[S]], Sequence[S]]
 
 
 def listed(names: Sequence[str]) -> str:
@@ -141,14 +141,14 @@ def _of_planes(features: Features[S]) -> Iterator[Statement]:
     for (i, j, _), (k, m, _) in combinations(features.planes, 2):
         if len({i, j, k, m}) == 4:
             planes = f"the planes of axes {i}, {j} and of axes {k}, {m} are"
-            joints, pairs = (i, j, k, m), ((i, j), (k, m))
+            four, pairs = (i, j, k, m), ((i, j), (k, m))
             yield Statement(
-                "planes", f"{planes} parallel", joints, _planes_parallel(*pairs)
+                "planes", f"{planes} parallel", four, _planes_parallel(*pairs)
             )
             yield Statement(
                 "normal planes",
                 f"{planes} perpendicular",
-                joints,
+                four,
                 _planes_perpendicular(*pairs),
             )
     for p, (i, j, _) in product(range(len(features.points)), features.planes):

@@ -2,9 +2,9 @@
 
 The limbs' wrench systems W_i add up directly for generic values; the loop constraint
 matrix loses rank exactly where they do not.  On the set where every limb has the rank
-that is generic on a stratum, W_1 ⊕ … ⊕ W_k fails exactly where the join of their Plücker
-coordinates vanishes, whatever basis is taken.  So every combination of strata of the
-limbs is taken in turn, and no pattern of regular and singular limbs is skipped.
+that is generic on a stratum, W_1 ⊕ … ⊕ W_k fails exactly where the join of their
+Plücker coordinates vanishes, whatever basis is taken.  So every combination of strata
+of the limbs is taken in turn, and no pattern of regular and singular limbs is skipped.
 
 References: [LongCaroKhalil2012] §5.2.1; [Zlatanov2002].
 """
@@ -227,7 +227,6 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
     walk.effort -= 1 + before - search.budget
     walk.keep(zeros.branches)
     walk.open.extend(zeros.open)
-
 
 
 def _is_like_another_sheet(branch: Branch, walk: _Walk) -> bool:

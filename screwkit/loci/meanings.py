@@ -233,10 +233,10 @@ def features_of(framed: FramedTwists) -> Features[Polynomial]:
             own = tuple(j for j in through if framed.limb_of(j) == axis.limb)
             points.append(Point(through, own, axis.point))
     planes = []
-    for number, point in enumerate(points):
-        for i in range(len(point.joints)):
-            for j in range(i + 1, len(point.joints)):
-                a, b = point.joints[i], point.joints[j]
+    for number, corner in enumerate(points):
+        for i in range(len(corner.joints)):
+            for j in range(i + 1, len(corner.joints)):
+                a, b = corner.joints[i], corner.joints[j]
                 if _distinct_directions(ring, axes, (a, b)) > 1:
                     planes.append((a, b, number))
     return Features(tuple(axes), tuple(points), tuple(planes))

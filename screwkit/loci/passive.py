@@ -161,7 +161,7 @@ class PassiveSystem:
                 return None
             left, right = (self._extensor(i, passive) for i in range(2))
             return list(joined(ring, left, right).values())
-        found = []
+        found: list[Polynomial] = []
         for chosen in self._square_choices(passive, equations):
             extensors = [self._extensor(i, chosen) for i in range(count)]
             if all(extensors):

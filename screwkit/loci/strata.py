@@ -1,6 +1,6 @@
 """The strata of one limb: where its twists lose rank, and lose more.
 
-Found in the limb's own frame and ring, where they are short, and handed on as equations.
+Found in the limb's own frame and ring, where they are short; handed on as equations.
 """
 
 from __future__ import annotations

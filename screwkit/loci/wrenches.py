@@ -22,9 +22,9 @@ def null_wrench(
     """(f; m) with f·v + m·ω = 0 for each of five independent twists (ω; v)."""
     minors = minors_of(ring, twists)
     full = 63
-    form = []
+    form: list[Polynomial] = []
     for row in range(6):
-        value = minors.get(full ^ 1 << row, ring.zero)
+        value: Polynomial = minors.get(full ^ 1 << row, ring.zero)
         if complement_sign(1 << row, 6) < 0:
             value = -value
         form.append(value)

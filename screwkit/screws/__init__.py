@@ -1,0 +1,1 @@
+"""Vectors, displacements and systems of screws over any ring."""

@@ -28,7 +28,7 @@ class Displacement(Generic[S]):
         return cls(((i, o, o), (o, i, o), (o, o, i)), (o, o, o))
 
     def then(self, inner: Displacement[S], ring: Ring[S]) -> Displacement[S]:
-        """self ∘ inner: a_from_b.then(b_from_c) is a_from_c."""
+        """Self ∘ inner: a_from_b.then(b_from_c) is a_from_c."""
         moved = vector.rotate(self.rotation, inner.translation)
         return Displacement(
             vector.compose(ring, self.rotation, inner.rotation),
@@ -42,8 +42,10 @@ class Displacement(Generic[S]):
         return Displacement(rotation, vector.normal(ring, (-x, -y, -z)))
 
 
-def screw_about(axis: int, pair: tuple[S, S], shift: S, ring: Ring[S]) -> Displacement[S]:
-    """Rotation by an angle (cos, sin) about coordinate axis 0 or 2, and a shift along it."""
+def screw_about(
+    axis: int, pair: tuple[S, S], shift: S, ring: Ring[S]
+) -> Displacement[S]:
+    """Rotation by (cos, sin) about coordinate axis 0 or 2, and a shift along it."""
     c, s = pair
     o, i = ring.zero, ring.one
     if axis == 2:
