@@ -41,7 +41,10 @@ def test_declared_scheme_leaves_nothing_movable() -> None:
     actuation = nao.the_mobility().actuation
     assert actuation is not None
     assert actuation.actuated == ("1", "2", "3", "7")
-    assert (actuation.remaining_mobility, actuation.remaining_platform_freedom) == (0, 0)
+    assert (actuation.remaining_mobility, actuation.remaining_platform_freedom) == (
+        0,
+        0,
+    )
 
 
 def posture(**angles: float) -> dict[str, float]:
@@ -66,7 +69,7 @@ MOTIONS = {
 
 
 def motion_type(at: Posture) -> str:
-    """nTmR of the common twists of both arms, from null spaces."""
+    """NTmR of the common twists of both arms, from null spaces."""
     right, left = nao.limbs_at(at)
     wrenches = np.hstack([null_space(right.T), null_space(left.T)])
     twists: Array = null_space(wrenches.T)

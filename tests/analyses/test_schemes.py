@@ -107,9 +107,7 @@ def test_factors_are_those_of_the_reference() -> None:
         found = Counter(
             {
                 fingerprint(text): count
-                for text, count in zip(
-                    scheme.locus, scheme.multiplicities, strict=True
-                )
+                for text, count in zip(scheme.locus, scheme.multiplicities, strict=True)
             }
         )
         assert found == wanted, actuated

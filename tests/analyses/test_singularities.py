@@ -15,7 +15,6 @@ from screwkit.algebra.decomposition import Search, common_zeros
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.parse import parse
 from screwkit.loci.loop_drop import loop_state
-from screwkit.results.singularities import Component
 
 RIGHT, LEFT = 0, 1
 
@@ -215,12 +214,14 @@ def plane_condition(at: Posture) -> float:
     """(s4 × s5)·(B − A): the left wrist centre in the plane of axes 4 and 5."""
     right, left = nao.limbs_at(at)
 
-    def meeting(limb: np.ndarray, i: int, j: int) -> np.ndarray:  # type: ignore[type-arg]
+    def meeting(limb: np.ndarray, i: int, j: int) -> np.ndarray:
         """The common point of two axes: p × s = m for both."""
         rows, targets = [], []
         for k in (i, j):
             s, m = limb[:3, k], limb[3:, k]
-            rows.append(np.array([[0, s[2], -s[1]], [-s[2], 0, s[0]], [s[1], -s[0], 0]]))
+            rows.append(
+                np.array([[0, s[2], -s[1]], [-s[2], 0, s[0]], [s[1], -s[0], 0]])
+            )
             targets.append(m)
         solution = np.linalg.lstsq(np.vstack(rows), np.concatenate(targets), rcond=None)
         return np.asarray(solution[0])
@@ -264,7 +265,7 @@ def test_what_moves_on_each_factor_of_example_two() -> None:
             assert (found.platform > 0) is moves, component.equations
 
 
-def passive_at(at: Posture) -> list[np.ndarray]:  # type: ignore[type-arg]
+def passive_at(at: Posture) -> list[np.ndarray]:
     return [
         limb[:, [joint not in locked for joint in joints]]
         for limb, joints, locked in zip(

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from loci.numeric import Array, Posture, limb_columns
+
 from screwkit.analyses.mobility import mobility
 from screwkit.analyses.schemes import schemes
 from screwkit.analyses.singularities import singularities

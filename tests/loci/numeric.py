@@ -103,7 +103,9 @@ def limb_columns(
     return np.array(columns, dtype=float).reshape(-1, 6).T
 
 
-def loop_matrix(limbs: Sequence[Array], passive: Sequence[Sequence[bool]] | None = None) -> Array:
+def loop_matrix(
+    limbs: Sequence[Array], passive: Sequence[Sequence[bool]] | None = None
+) -> Array:
     """J_c: each limb after the first closes a loop with the first."""
     first, others = limbs[0], limbs[1:]
     widths = [limb.shape[1] for limb in limbs]

@@ -1,7 +1,7 @@
 """Singular postures found by numbers alone, to be compared with an exact locus.
 
-A matrix M(q) has dependent columns (or rows) where M(q) n = 0 has a unit solution.
-Least squares from random starts solves for q and n together.  So that the large
+A matrix M(q) has dependent rows where n M(q) = 0 has a unit solution.  Newton steps of
+least length, from random starts, solve for q and n together.  So that the large
 families do not attract every start, postures on chosen families are forbidden by one
 more equation, u · f = 1, with f a random combination of the family's equations.
 """
@@ -11,8 +11,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
-from scipy.optimize import least_squares
-
 from loci.numeric import Array, Posture, value
 
 
@@ -50,9 +48,7 @@ def singular_postures(
             ]
             return np.concatenate([null @ at, [null @ null - 1], off])
 
-        height = matrix(
-            {**constants, **dict.fromkeys(variables, 0.5)}
-        ).shape[0]
+        height = matrix({**constants, **dict.fromkeys(variables, 0.5)}).shape[0]
         start = np.concatenate(
             [
                 source.uniform(-np.pi, np.pi, count),
@@ -60,13 +56,32 @@ def singular_postures(
                 source.normal(size=len(avoid)),
             ]
         )
-        found = least_squares(residuals, start, xtol=1e-15, ftol=1e-15, gtol=1e-15)
-        shields = found.x[count + height :]
-        if found.cost < 1e-22 and np.all(np.abs(shields) < 1e4):
+        found = solved(residuals, start)
+        if found is not None and np.all(np.abs(found[count + height :]) < 1e3):
             yield {
                 **constants,
-                **dict(zip(variables, map(float, found.x), strict=False)),
+                **dict(zip(variables, map(float, found), strict=False)),
             }
+
+
+def solved(
+    residuals: Callable[[Array], Array], start: Array, steps: int = 40
+) -> Array | None:
+    """A zero near ``start`` by Newton steps of least length; None if none is met."""
+    x = start
+    for _ in range(steps):
+        here = residuals(x)
+        if np.max(np.abs(here)) < 1e-12:
+            return x
+        slopes = np.empty((len(here), len(x)))
+        for i in range(len(x)):
+            moved = x.copy()
+            moved[i] += 1e-7
+            slopes[:, i] = (residuals(moved) - here) / 1e-7
+        step = np.linalg.lstsq(slopes, -here, rcond=1e-9)[0]
+        length = float(np.linalg.norm(step))
+        x = x + step * min(1.0, 1.0 / length)
+    return x if np.max(np.abs(residuals(x))) < 1e-11 else None
 
 
 def posture_on(
@@ -88,7 +103,7 @@ def posture_on(
             return np.array([value(e, posture) for e in equations])
 
         start = source.uniform(-np.pi, np.pi, len(variables))
-        found = least_squares(residuals, start, xtol=1e-15, ftol=1e-15, gtol=1e-15)
-        if found.cost < 1e-26:
-            return {**constants, **dict(zip(variables, map(float, found.x), strict=True))}
+        found = solved(residuals, start)
+        if found is not None:
+            return {**constants, **dict(zip(variables, map(float, found), strict=True))}
     raise AssertionError(f"no real posture found where {list(equations)} vanish")
