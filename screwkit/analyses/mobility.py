@@ -62,6 +62,7 @@ def mobility(assembly: Assembly) -> Mobility:
             0,
         ),
         at_values=_special(assembly),
+        platform_name=assembly.mechanism.platform,
     )
 
 

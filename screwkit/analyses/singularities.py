@@ -12,6 +12,7 @@ from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.kinematics.assembly import Assembly, SerialLimb
 from screwkit.loci.actuation import actuation_locus
 from screwkit.loci.canonical import in_known_conditions
+from screwkit.loci.lifting import with_sheets_together
 from screwkit.loci.loop_drop import LoopDrop, LoopState, loop_drop, loop_state
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece, pieces_of
@@ -59,6 +60,7 @@ def singularities(
         constraint=constraint,
         actuation=actuation,
         assumptions=assumptions_in_words(assembly),
+        platform_name=assembly.mechanism.platform,
     )
 
 
@@ -194,7 +196,7 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
     ]
     pieces = [
         in_known_conditions(piece, root, known, Search(library))
-        for piece in drop.pieces
+        for piece in with_sheets_together(drop.pieces)
     ]
     components = tuple(
         _constraint_component(piece, limbs, meanings) for piece in _in_order(pieces)

@@ -1,0 +1,134 @@
+"""Sheets brought back together: one equation for what differs only by signs.
+
+On cos(q6 − q1) = 0 the sine is ±1, and a later condition comes out once with each sign.
+Putting the sine back where the sign stood gives one equation that is right on both
+sheets; it is done only where every sheet is there, so that nothing is added.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+from typing import Any
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
+from screwkit.loci.pieces import Piece
+
+_FACTORS = 3  # signs that may multiply one term
+_Signs = dict[int, int]  # generator whose value is ±1 on the sheet, and the value
+
+
+def with_sheets_together(pieces: Sequence[Piece]) -> list[Piece]:
+    """The same locus with fewer pieces, where signs are all that tells them apart."""
+    groups: dict[str, list[Piece]] = {}
+    for piece in pieces:
+        groups.setdefault(_shape(piece), []).append(piece)
+    found: list[Piece] = []
+    for group in groups.values():
+        merged = _together(group) if len(group) > 1 else None
+        found.extend([merged] if merged is not None else group)
+    return sorted(found, key=lambda piece: piece.codimension)
+
+
+def _shape(piece: Piece) -> str:
+    """Conditions up to the signs of their terms."""
+    branch = piece.branches[0]
+    return str(sorted(str(sorted(c.monoms())) for c in branch.conditions))
+
+
+def _together(group: Sequence[Piece]) -> Piece | None:
+    ring = group[0].branches[0].ring
+    branches = [branch for piece in group for branch in piece.branches]
+    if any(step.companions for branch in branches for step in branch.steps):
+        return None
+    signs = [_signs(ring, branch) for branch in branches]
+    generators = set(signs[0])
+    if not generators or any(set(s) != generators for s in signs):
+        return None
+    present = {tuple(sorted(s.items())) for s in signs}
+    if len(present) != 2 ** len(generators) or len(present) != len(branches):
+        return None
+    aligned = _aligned(branches)
+    if aligned is None:
+        return None
+    equations = []
+    for versions in aligned:
+        equation = _lifted(ring, versions, signs)
+        if equation is None:
+            return None
+        equations.append(equation)
+    return Piece(tuple(equations), tuple(branches))
+
+
+def _signs(ring: TrigonometricRing, branch: Branch) -> _Signs:
+    """Sines and cosines that are ±1 on the branch because of a solved condition."""
+    found: _Signs = {}
+    for step in branch.steps:
+        if step.sheet is None:
+            continue
+        for index, image in step.images:
+            if image == 1 or image == -1:
+                found[index] = 1 if image == 1 else -1
+    return found
+
+
+def _aligned(branches: Sequence[Branch]) -> list[list[Polynomial]] | None:
+    """The conditions of all branches, position by position of the first one."""
+    columns: list[list[Polynomial]] = []
+    left = [list(branch.conditions) for branch in branches]
+    for condition in branches[0].conditions:
+        support = sorted(condition.monoms())
+        versions = []
+        for conditions in left:
+            match = next((c for c in conditions if sorted(c.monoms()) == support), None)
+            if match is None:
+                return None
+            conditions.remove(match)
+            versions.append(match)
+        columns.append(versions)
+    return columns
+
+
+def _lifted(
+    ring: TrigonometricRing, versions: Sequence[Polynomial], signs: Sequence[_Signs]
+) -> Polynomial | None:
+    """One polynomial that is each version, up to a constant, on that version's sheet."""
+    tables = [primitive(version).to_dict() for version in versions]
+    if all(table == tables[0] for table in tables):
+        return primitive(versions[0])
+    monomials = list(tables[0])
+    first = monomials[0]
+    gens = ring.context.gens()
+    total = ring.zero
+    for monomial in monomials:
+        ratios = [table[monomial] / table[first] for table in tables]
+        chosen = _product_of_signs(ratios, signs)
+        if chosen is None:
+            return None
+        term = ring.context.from_dict({monomial: ratios[0]})
+        value = 1
+        for index in chosen:
+            term = term * gens[index]
+            value *= signs[0][index]
+        total = total + term * value
+    return primitive(ring.normal(total))
+
+
+def _product_of_signs(
+    ratios: Sequence[Any], signs: Sequence[_Signs]
+) -> tuple[int, ...] | None:
+    """Generators whose product of values is each ratio, up to one constant."""
+    generators = sorted(signs[0])
+    for count in range(_FACTORS + 1):
+        for chosen in combinations(generators, count):
+            values = []
+            for sheet in signs:
+                value = 1
+                for index in chosen:
+                    value *= sheet[index]
+                values.append(value)
+            scaled = [r * v for r, v in zip(ratios, values, strict=True)]
+            if all(entry == scaled[0] for entry in scaled):
+                return chosen
+    return None
