@@ -174,3 +174,14 @@ def rank(rows: Sequence[Sequence[Residue]], prime: int) -> int:
         return 0
     entries = [int(value) for row in rows for value in row]
     return int(nmod_mat(len(rows), len(rows[0]), entries, prime).rank())
+
+
+def annihilator(
+    rows: Sequence[Sequence[Residue]], width: int, prime: int
+) -> list[list[int]]:
+    """Basis of the vectors x with row·x = 0 for every row."""
+    if not rows:
+        return [[int(i == j) for j in range(width)] for i in range(width)]
+    entries = [int(value) for row in rows for value in row]
+    kernel, nullity = nmod_mat(len(rows), width, entries, prime).nullspace()
+    return [[int(kernel[i, j]) for i in range(width)] for j in range(int(nullity))]

@@ -18,8 +18,8 @@ from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.loci.features import Features
 from screwkit.loci.reciprocals import FoundScrew
 from screwkit.results.screws import IdentifiedScrew
-from screwkit.screws.nullspace import Column, shortened
-from screwkit.screws.vector import Vector, cross, dot, normal
+from screwkit.screw.nullspace import Column, shortened
+from screwkit.screw.vector import Vector, cross, dot, normal
 
 EXPANDED = 300  # terms of a screw whose foot is worked out
 

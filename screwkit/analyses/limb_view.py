@@ -10,8 +10,8 @@ from functools import cached_property
 
 from screwkit.analyses.screws import constraint_wrenches
 from screwkit.kinematics.assembly import Assembly, SerialLimb
-from screwkit.screws.nullspace import annihilator, basis_of
-from screwkit.screws.system import TwistSystem, WrenchSystem, conditions
+from screwkit.screw.nullspace import annihilator, basis_of
+from screwkit.screw.system import TwistSystem, WrenchSystem, conditions
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +54,7 @@ class LimbView:
     def wrenches(self) -> WrenchSystem:
         """What the limb can transmit with all its joints passive, in the base frame.
 
-        The basis is that of `screwkit.screws`: couples and forces where they exist.
+        The basis is that of `screwkit.screw`: couples and forces where they exist.
         """
         assembly, ring = self._assembly, self.twists.ring
         columns = constraint_wrenches(assembly, self._limb)

@@ -25,7 +25,7 @@ from screwkit.results.screws import (
     PlatformScrews,
     Screws,
 )
-from screwkit.screws.nullspace import (
+from screwkit.screw.nullspace import (
     Column,
     independent,
     moved,

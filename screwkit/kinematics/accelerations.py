@@ -18,7 +18,7 @@ from screwkit.algebra.ring import Ring, S
 from screwkit.conventions import DIRECTION, MOMENT, SCREW_DIMENSION
 from screwkit.kinematics.loops import LoopMatrix
 from screwkit.kinematics.rates import RateConstraints, applied
-from screwkit.screws import vector
+from screwkit.screw import vector
 
 
 def lie_bracket(left: Sequence[S], right: Sequence[S]) -> tuple[S, ...]:

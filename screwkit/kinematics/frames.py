@@ -24,8 +24,8 @@ from screwkit.algebra.trigonometric import (
 )
 from screwkit.kinematics.placement import JointTwist, joint_twists, table_joints
 from screwkit.mechanism.model import Joint, JointType, MdhRow, Mechanism
-from screwkit.screws import vector
-from screwkit.screws.vector import Vector
+from screwkit.screw import vector
+from screwkit.screw.vector import Vector
 
 
 @dataclass(frozen=True)

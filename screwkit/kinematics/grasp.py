@@ -27,7 +27,7 @@ from screwkit.kinematics.loops import (
 )
 from screwkit.kinematics.placement import placed_links
 from screwkit.mechanism.model import Mechanism
-from screwkit.screws.displacement import Displacement, screw_about
+from screwkit.screw.displacement import Displacement, screw_about
 
 DEGENERATE = 1e-8
 """Up to this |sin α| the axes z of the two frames count as parallel.

@@ -18,9 +18,9 @@ from screwkit.algebra.evaluation import add_angles, cosine_sine, evaluate
 from screwkit.algebra.ring import Ring, S
 from screwkit.errors import UndecidedError
 from screwkit.mechanism.model import Joint, JointType, MdhRow, Mechanism
-from screwkit.screws import vector
-from screwkit.screws.displacement import Displacement, screw_about
-from screwkit.screws.vector import Vector
+from screwkit.screw import vector
+from screwkit.screw.displacement import Displacement, screw_about
+from screwkit.screw.vector import Vector
 
 
 @dataclass(frozen=True)

@@ -8,37 +8,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
-from flint import nmod_mat
-
+from screwkit.algebra.modular import annihilator
+from screwkit.algebra.modular import rank as dimension
 from screwkit.conventions import DIRECTION, MOMENT
 
-Row = Sequence[int]
+Row: TypeAlias = Sequence[int]
 
-
-def dimension(rows: Sequence[Row], prime: int) -> int:
-    """Dimension of the span."""
-    if not rows:
-        return 0
-    return int(_matrix(rows, prime).rank())
-
-
-def annihilator(rows: Sequence[Row], width: int, prime: int) -> list[list[int]]:
-    """Basis of the vectors x with row·x = 0 for every row."""
-    if not rows:
-        return [[int(i == j) for j in range(width)] for i in range(width)]
-    kernel, nullity = _matrix(rows, prime).nullspace()
-    return [[int(kernel[i, j]) for i in range(width)] for j in range(int(nullity))]
+__all__ = ["PlatformSystem", "Row", "dimension", "reciprocal"]
 
 
 def reciprocal(screws: Sequence[Row], prime: int) -> list[list[int]]:
     """Basis of the screws reciprocal to all of these, again (direction, moment)."""
     return [[*form[MOMENT], *form[DIRECTION]] for form in annihilator(screws, 6, prime)]
-
-
-def _matrix(rows: Sequence[Row], prime: int) -> nmod_mat:
-    entries = [int(value) % prime for row in rows for value in row]
-    return nmod_mat(len(rows), len(rows[0]), entries, prime)
 
 
 @dataclass(frozen=True)

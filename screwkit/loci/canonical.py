@@ -10,10 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from flint import nmod_mat
-
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import Search, common_zeros
+from screwkit.algebra.modular import rank
 from screwkit.algebra.points import differential, residue
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.loci.pieces import Piece, lies_in
@@ -58,9 +57,7 @@ def _vanishes(polynomial: Polynomial, branch: Branch) -> bool:
 def _independent(branch: Branch, equations: Sequence[Polynomial]) -> bool:
     point, prime = branch.points[0]
     rows = [differential(branch.ring, e, point, prime) for e in equations]
-    entries = [value for row in rows for value in row]
-    rank = nmod_mat(len(rows), len(rows[0]), entries, prime).rank()
-    return int(rank) == len(equations)
+    return rank(rows, prime) == len(equations)
 
 
 def _same(

@@ -14,7 +14,7 @@ from typing import Any, Generic, TypeAlias
 
 from screwkit.algebra.ring import S
 from screwkit.loci.features import Features
-from screwkit.screws.vector import Vector, add, cross, dot, subtract
+from screwkit.screw.vector import Vector, add, cross, dot, subtract
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from itertools import combinations, product
 from typing import Generic
 
 from screwkit.algebra.ring import S
-from screwkit.screws.vector import Vector, cross, dot, subtract
+from screwkit.screw.vector import Vector, cross, dot, subtract
 
 
 @dataclass(frozen=True)

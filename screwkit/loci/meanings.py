@@ -19,7 +19,7 @@ from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.loci.features import Axis, Features, Point, Statement, statements
 from screwkit.loci.pieces import Piece, pieces_of
-from screwkit.screws.vector import Vector, cross, subtract
+from screwkit.screw.vector import Vector, cross, subtract
 
 _LARGEST = 400  # terms of a statement that is compared with a locus
 

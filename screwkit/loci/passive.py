@@ -12,9 +12,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 
-from flint import nmod_mat
-
 from screwkit.algebra.minors import MinorTable, combined, joined, minor_table
+from screwkit.algebra.modular import rank
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import Assembly
@@ -85,10 +84,7 @@ class RankTable:
         return PassiveState(tuple(ranks), self.loop_rank(joints), len(joints))
 
     def _rank(self, rows: Sequence[Sequence[int]]) -> int:
-        if not rows:
-            return 0
-        flat = [x for row in rows for x in row]
-        return int(nmod_mat(len(rows), len(rows[0]), flat, self._prime).rank())
+        return rank(rows, self._prime)
 
 
 class PassiveSystem:

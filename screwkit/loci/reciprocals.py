@@ -25,14 +25,14 @@ from screwkit.loci.constructions import Geometry
 from screwkit.loci.features import Axis, Features, Point
 from screwkit.loci.lines import Candidate, Catalogue
 from screwkit.loci.meanings import Residue, features_of
-from screwkit.screws.nullspace import (
+from screwkit.screw.nullspace import (
     Column,
     reciprocal_product,
     residues,
     sample,
     shortened,
 )
-from screwkit.screws.vector import Vector, cross, dot, normal
+from screwkit.screw.vector import Vector, cross, dot, normal
 
 LONGEST = 4000  # characters of a screw that is not avoided
 

@@ -18,7 +18,7 @@ from screwkit.kinematics.subspaces import PlatformSystem
 from screwkit.loci.features import Features, listed
 from screwkit.loci.meanings import Residue, features_of
 from screwkit.loci.passive import PassiveSystem
-from screwkit.screws.vector import cross, dot, subtract
+from screwkit.screw.vector import cross, dot, subtract
 
 
 def witness(assembly: Assembly, system: PassiveSystem, passive: Collection[str]) -> str:

@@ -13,8 +13,8 @@ from screwkit.algebra.parse import RESULT_LIMITS, parse
 from screwkit.algebra.points import residue
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
-from screwkit.screws.displacement import Displacement, screw_about
-from screwkit.screws.system import TwistSystem
+from screwkit.screw.displacement import Displacement, screw_about
+from screwkit.screw.system import TwistSystem
 
 
 def _ring() -> TrigonometricRing:

@@ -8,9 +8,9 @@ from laws.systems import RING, displacements, twist_systems
 import screwkit as sk
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.placement import joint_twists, placed_links
-from screwkit.screws.displacement import Displacement
-from screwkit.screws.nullspace import moved
-from screwkit.screws.system import TwistSystem, reciprocal_product
+from screwkit.screw.displacement import Displacement
+from screwkit.screw.nullspace import moved
+from screwkit.screw.system import TwistSystem, reciprocal_product
 
 
 @settings(deadline=None, max_examples=40)

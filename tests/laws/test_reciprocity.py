@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from laws.systems import RING, Place, columns, twist_systems
 
-from screwkit.screws.nullspace import Column
-from screwkit.screws.system import Twist, TwistSystem, Wrench, reciprocal_product
+from screwkit.screw.nullspace import Column
+from screwkit.screw.system import Twist, TwistSystem, Wrench, reciprocal_product
 
 
 @settings(deadline=None, max_examples=60)

@@ -12,8 +12,8 @@ import screwkit as sk
 from screwkit.algebra.parse import RESULT_LIMITS, parse
 from screwkit.case import Case, bundled_cases
 from screwkit.errors import FrameMismatchError, UnknownNameError
-from screwkit.screws.displacement import Displacement
-from screwkit.screws.system import TwistSystem, WrenchSystem, reciprocal_product
+from screwkit.screw.displacement import Displacement
+from screwkit.screw.system import TwistSystem, WrenchSystem, reciprocal_product
 
 
 @pytest.fixture(scope="module")

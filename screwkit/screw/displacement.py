@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import Generic
 
 from screwkit.algebra.ring import Ring, S
-from screwkit.screws import vector
-from screwkit.screws.vector import Rotation, Vector
+from screwkit.screw import vector
+from screwkit.screw.vector import Rotation, Vector
 
 
 @dataclass(frozen=True)

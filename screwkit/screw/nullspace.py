@@ -24,8 +24,8 @@ from screwkit.algebra.modular import rank
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.conventions import DIRECTION, MOMENT, SCREW_DIMENSION
-from screwkit.screws import vector
-from screwkit.screws.displacement import Displacement
+from screwkit.screw import vector
+from screwkit.screw.displacement import Displacement
 
 Column: TypeAlias = tuple[Polynomial, ...]
 

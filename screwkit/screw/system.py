@@ -23,9 +23,9 @@ from screwkit.algebra.polynomial_text import equation_text, text
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.conventions import SCREW_DIMENSION
 from screwkit.errors import FrameMismatchError
-from screwkit.screws import nullspace
-from screwkit.screws.displacement import Displacement
-from screwkit.screws.nullspace import Basis, Column
+from screwkit.screw import nullspace
+from screwkit.screw.displacement import Displacement
+from screwkit.screw.nullspace import Basis, Column
 
 FACTORED = 200  # terms of an assumption that is split into its factors
 
