@@ -100,7 +100,8 @@ def _descend(
         search.unfinished.append(branch)
         return
     if not left:
-        search.found.append(branch)
+        known = search.found if branch.points else search.unfinished
+        known.append(branch)
         return
     if search.budget <= 0:
         search.unfinished.append(branch)

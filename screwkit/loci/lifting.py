@@ -68,7 +68,7 @@ def _signs(ring: TrigonometricRing, branch: Branch) -> _Signs:
         if step.sheet is None:
             continue
         for index, image in step.images:
-            if image == 1 or image == -1:
+            if image.is_constant() and image * image == 1:
                 found[index] = 1 if image == 1 else -1
     return found
 
@@ -93,7 +93,7 @@ def _aligned(branches: Sequence[Branch]) -> list[list[Polynomial]] | None:
 def _lifted(
     ring: TrigonometricRing, versions: Sequence[Polynomial], signs: Sequence[_Signs]
 ) -> Polynomial | None:
-    """One polynomial that is each version, up to a constant, on that version's sheet."""
+    """One polynomial that is each version, up to a constant, on its own sheet."""
     tables = [primitive(version).to_dict() for version in versions]
     if all(table == tables[0] for table in tables):
         return primitive(versions[0])
