@@ -11,7 +11,10 @@ from hypothesis import strategies as st
 from screwkit.algebra.expression import ZERO, Expression, Number, Pi, Product, Symbol
 from screwkit.mechanism.model import Joint, JointType, MdhRow, Mechanism, Parameter
 
-ALPHAS = [ZERO, *(Product((Number(Fraction(x)), Pi())) for x in ("1/2", "-1/2", "1"))]
+ALPHAS: list[Expression] = [
+    ZERO,
+    *(Product((Number(Fraction(x)), Pi())) for x in ("1/2", "-1/2", "1")),
+]
 ALPHAS.append(Product((Number(Fraction(1, 3)), Pi())))
 LENGTHS = ("a", "b", "c")
 

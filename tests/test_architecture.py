@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 
 import screwkit
+from screwkit.doctor import findings
 
 ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / "screwkit"
@@ -247,8 +248,6 @@ def test_collectors_find_something() -> None:
 
 
 def test_what_doctor_needs_is_what_is_installed() -> None:
-    from screwkit.doctor import findings
-
     read = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
     required = {
         re.split(r"[<>=\[ ]", line)[0].lower()

@@ -119,7 +119,7 @@ def test_passive_determinants_are_those_of_floats(
         found = (
             abs(float(compile_polynomials(ring, minors[0])(posture))) if minors else 0
         )
-        size = np.prod([max(1.0, np.linalg.norm(x)) for x in np.hstack(limbs).T])
+        size = float(np.prod(1 + np.linalg.norm(np.hstack(limbs), axis=0)))
         assert abs(found - wanted) < 1e-10 * size
 
 
