@@ -29,7 +29,7 @@ from screwkit.algebra.trigonometric import Polynomial, primitive
 
 _SHORT = 24  # terms of a polynomial from which resolvents are formed
 _PAIRS = 6
-_TERMS_PER_CASE = 150  # longer polynomials use up more of the budget
+_TERMS_PER_CASE = 80  # longer polynomials use up more of the budget
 _TRIED = 10  # polynomials that are factored to choose the next case split
 
 
@@ -229,14 +229,19 @@ def _with_resolvents(branch: Branch, left: Sequence[Polynomial]) -> list[Polynom
         return list(left)
     ring = branch.ring
     implied: dict[str, Polynomial] = {}
-    short = [p for p in left if len(p) <= _SHORT]
+    short = [(p, p.degrees()) for p in left if len(p) <= _SHORT]
     for angle in range(len(ring.basis)):
+        places = ring.sine_index(angle), ring.cosine_index(angle)
         rows = []
-        for polynomial in short:
+        for polynomial, degrees in short:
+            if max(degrees[place] for place in places) != 1:
+                continue
             parts = angle_parts(ring, polynomial, angle)
             if parts is not None and parts[2] == 0:
                 rows.append(parts[:2])
-        for (p, q), (u, v) in combinations(rows[:_PAIRS], 2):
+                if len(rows) == _PAIRS:
+                    break
+        for (p, q), (u, v) in combinations(rows, 2):
             resolvent = ring.normal(p * v - q * u)
             if resolvent != 0:
                 resolvent = primitive(resolvent)

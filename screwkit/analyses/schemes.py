@@ -34,6 +34,7 @@ from screwkit.results.schemes import (
     Schemes,
 )
 
+_REPORT = 50  # schemes between two words of progress
 LARGEST = 20_000  # schemes; beyond, candidates have to be named
 
 
@@ -69,11 +70,12 @@ def schemes(
         )
     work = _Work(assembly, system)
     progress("schemes", f"{total} schemes of {number} joints")
-    listed = [
-        _scheme(work, actuated)
-        for actuated in combinations(chosen, number)
-        if not balanced or _is_balanced(assembly, actuated)
-    ]
+    listed = []
+    for count, actuated in enumerate(combinations(chosen, number)):
+        if count and count % _REPORT == 0:
+            progress("schemes", f"{count} of {total} schemes")
+        if not balanced or _is_balanced(assembly, actuated):
+            listed.append(_scheme(work, actuated))
     progress("meanings", f"{len(work.counts)} factors")
     pairs = mirrored_joints(assembly)
     listed = [_with_mirror(scheme, pairs) for scheme in listed]

@@ -25,7 +25,7 @@ from screwkit.loci.pieces import Piece, lies_in, pieces_of
 from screwkit.loci.rank_drop import Column, extensors
 from screwkit.loci.strata import LimbStrata, Stratum
 
-_EFFORT = 600  # case distinctions in all; long polynomials count more
+_EFFORT = 1_200  # case distinctions in all; long polynomials count more
 _BUDGET = 150  # case distinctions on one branch
 _LARGEST = 4_000  # terms of all conditions on one branch
 
