@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -10,35 +11,49 @@ from screwkit.errors import MechanismFileError
 from screwkit.terminal import emit, emit_json, faulty, note, text_of
 
 
-def check_case(case: str, *, as_json: bool, quiet: bool) -> int:
-    """Read a file and say whether it is right."""
+def check_case(
+    case: str, changes: Mapping[str, Any], *, as_json: bool, quiet: bool
+) -> int:
+    """Read a file and say whether it is right.
+
+    Args:
+        case: File or bundled case.
+        changes: ``set_values`` and ``actuated`` as of `screwkit.load`, may be empty.
+        as_json: Whether a document is wanted.
+        quiet: Whether the exit code is answer enough.
+    """
     try:
-        mechanism = _read(case)
+        mechanism = _read(case, {k: v for k, v in changes.items() if v})
     except MechanismFileError as error:
         return faulty(case, error.source, error.faults, as_json=as_json)
+    from screwkit.reports.phrases import counted  # noqa: PLC0415
+
     counts = _counts(mechanism)
     if as_json:
         title = {"title": mechanism.title}
         emit_json(mechanism.name, {"valid": True, **title, **counts})
     elif not quiet:
+        bodies = counted(counts["links"], "body", "bodies")
+        joints = counted(counts["joints"], "joint")
+        freedoms = counted(counts["freedoms"], "freedom")
+        loops = counted(counts["loops"], "loop")
         emit(
-            f"{case}: right. {counts['links']} bodies, {counts['joints']} joints with "
-            f"{counts['freedoms']} freedoms; base {mechanism.base}, platform "
-            f"{mechanism.platform}\n"
+            f"{case}: right. {bodies}, {joints} with {freedoms}, {loops}; base "
+            f"{mechanism.base}, platform {mechanism.platform}\n"
         )
     return errors.EXIT_DONE
 
 
-def _read(case: str) -> Any:
+def _read(case: str, changes: Mapping[str, Any] | None = None) -> Any:
     """The mechanism of a file, or of a bundled case."""
     path = Path(case)
-    if path.is_file():
+    if path.is_file() and not changes:
         from screwkit.mechanism.files import read_mechanism  # noqa: PLC0415
 
         return read_mechanism(path)
     from screwkit.case import load  # noqa: PLC0415
 
-    return load(case).mechanism
+    return load(case, **changes or {}).mechanism
 
 
 def _counts(mechanism: Any) -> dict[str, int]:

@@ -19,6 +19,7 @@ from screwkit.options import (
     AsJson,
     At,
     CaseName,
+    Every,
     Format,
     Memory,
     Order,
@@ -103,14 +104,26 @@ def _answer(request: Any) -> NoReturn:
 
 
 @app.command()
-def check(case: CaseName, *, as_json: AsJson = False, quiet: Quiet = False) -> None:
+def check(
+    case: CaseName,
+    *,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
     """Is the file right: all errors, or a one-line summary.
 
     Example: screwkit check arm.yaml
     """
     from screwkit.catalogue import check_case  # noqa: PLC0415
 
-    raise typer.Exit(check_case(case, as_json=as_json, quiet=quiet))
+    # The same options as everywhere; reading a file needs no deadline.
+    job = _request("check", {**locals(), "memory": None}).job
+    changes = {"set_values": job.set_values, "actuated": job.actuated}
+    raise typer.Exit(check_case(case, changes, as_json=as_json, quiet=quiet))
 
 
 @app.command()
@@ -165,6 +178,7 @@ def screws(
 def singularities(
     case: CaseName,
     *,
+    every: Every = False,
     set_values: Setting = None,
     actuated: Actuated = None,
     at: At = None,
@@ -177,7 +191,14 @@ def singularities(
 
     Example: screwkit singularities nao_t14 --actuated 1,2,3,7
     """
-    _answer(_request("singularities", locals()))
+    request = _request("singularities", locals())
+    if every:
+        from dataclasses import replace  # noqa: PLC0415
+
+        from screwkit.delivery import show_all  # noqa: PLC0415
+
+        request = replace(request, show=show_all)
+    _answer(request)
 
 
 @app.command()
@@ -193,7 +214,7 @@ def schemes(
     balanced: Annotated[
         bool, typer.Option("--balanced", help="Same number from every limb.")
     ] = False,
-    every: Annotated[bool, typer.Option("--all", help="Print every scheme.")] = False,
+    every: Every = False,
     output: Annotated[
         Path | None,
         typer.Option("-o", "--output", help="Write .tex, .csv, .json or .txt."),

@@ -17,6 +17,7 @@ from typing import Any
 from screwkit.errors import ScrewkitError
 from screwkit.results.analysis import Analysis
 from screwkit.results.schemes import Schemes
+from screwkit.results.singularities import Singularities
 
 Delivery = Callable[[Any], list[str]]
 
@@ -26,12 +27,12 @@ def only_balanced(answer: Schemes) -> Schemes:
     return replace(answer, schemes=tuple(s for s in answer.schemes if s.balanced))
 
 
-def show_all(answer: Schemes) -> str:
-    """The text with every scheme."""
-    from screwkit.reports.about_schemes import schemes_blocks  # noqa: PLC0415
+def show_all(answer: Schemes | Singularities) -> str:
+    """The text with every scheme, or every condition."""
+    from screwkit.reports.sections import answer_blocks  # noqa: PLC0415
     from screwkit.reports.text import render  # noqa: PLC0415
 
-    return render(schemes_blocks(answer, shown=None))
+    return render(answer_blocks(answer, every=True))
 
 
 def deliver_schemes(path: Path) -> Delivery:

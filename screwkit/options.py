@@ -50,6 +50,7 @@ Memory = Annotated[
     float | None,
     typer.Option(metavar="GB", min=0.1, help="Address space for the exact work."),
 ]
+Every = Annotated[bool, typer.Option("--all", help="Print lists in full.")]
 At = Annotated[
     list[str] | None,
     typer.Option(metavar="NAME=VALUE", help="Posture, for posture results."),

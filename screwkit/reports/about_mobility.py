@@ -43,7 +43,7 @@ def mobility_blocks(answer: Mobility) -> tuple[Block, ...]:
         ]
     closing = [full_cycle(answer.full_cycle)]
     if answer.actuation is not None:
-        closing.append(locked(answer.actuation))
+        closing.append(locked(answer.actuation, answer.platform_name))
     blocks += [Paragraph(words(text), 1) for text in closing]
     if answer.at_values is not None:
         blocks += [
@@ -157,15 +157,17 @@ def full_cycle(answer: FullCycle) -> str:
     return f"the motion is finite{because}{how}"
 
 
-def locked(actuation: Actuation, separator: str = " ") -> str:
+def locked(actuation: Actuation, platform: str = "", separator: str = " ") -> str:
     """What stays movable with the actuated joints locked."""
+    name = platform_called(platform)
     head = f"with {separator.join(actuation.actuated)} locked"
     if not actuation.actuated:
         head = "with no joint actuated"
     if actuation.remaining_platform_freedom:
         left = counted(actuation.remaining_platform_freedom, "freedom")
-        return f"{head}, the platform keeps {left}"
+        return f"{head}, {name} keeps {left}"
     if actuation.remaining_mobility:
         left = counted(actuation.remaining_mobility, "freedom")
-        return f"{head}, the platform is fixed and {left} stay idle"
+        verb = "stays" if actuation.remaining_mobility == 1 else "stay"
+        return f"{head}, {name} is fixed and {left} {verb} idle"
     return f"{head}, nothing moves"

@@ -69,10 +69,11 @@ def remarks(answer: Schemes) -> tuple[Text, ...]:
     notes: list[Text] = []
     if answer.mirror is not None:
         classes, own = answer.mirror.admissible
+        images = "its own mirror image" if own == 1 else "their own mirror image"
         notes.append(
             words(
                 f"up to the mirror symmetry: {answer.mirror.total[0]} classes, "
-                f"{classes} admissible ({own} their own mirror image)"
+                f"{classes} admissible" + (f" ({own} {images})" if own else "")
             )
         )
     if answer.left_out:

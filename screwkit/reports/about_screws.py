@@ -5,7 +5,9 @@ from __future__ import annotations
 from screwkit.reports.blocks import (
     Block,
     Column,
+    Condition,
     Heading,
+    Listing,
     Paragraph,
     Table,
     Text,
@@ -19,6 +21,7 @@ from screwkit.reports.phrases import counted, listed, tuple_of
 from screwkit.results.screws import ActuationWrench, IdentifiedScrew, Screws
 
 LINEAR = "moment-direction"
+_ONE_LINE = 76
 
 
 def screws_blocks(answer: Screws) -> tuple[Block, ...]:
@@ -31,7 +34,7 @@ def screws_blocks(answer: Screws) -> tuple[Block, ...]:
                 1,
                 words(dimensions(limb.twist_dimension, limb.wrench_dimension)),
             ),
-            *screw_tables(limb.twists, limb.wrenches, answer.order),
+            *screw_listings(limb.twists, limb.wrenches, answer.order),
         ]
     platform = answer.platform
     blocks += [
@@ -40,12 +43,12 @@ def screws_blocks(answer: Screws) -> tuple[Block, ...]:
             1,
             words(dimensions(platform.twist_dimension, platform.wrench_dimension)),
         ),
-        *screw_tables(platform.twists, platform.wrenches, answer.order),
+        *screw_listings(platform.twists, platform.wrenches, answer.order),
     ]
     if answer.actuation_wrenches:
         blocks += [
             Heading(words("what each locked joint adds"), 1),
-            actuation_table(answer.actuation_wrenches, answer.order),
+            actuation_listing(answer.actuation_wrenches, answer.order),
         ]
     return tuple(blocks)
 
@@ -75,26 +78,40 @@ def split_of(coordinates: tuple[str, ...], order: str, *, wrench: bool) -> int:
     return 2 if wrench != (order == LINEAR) else 1
 
 
-def screw_tables(
+def screw_listings(
     twists: tuple[IdentifiedScrew, ...],
     wrenches: tuple[IdentifiedScrew, ...],
     order: str,
-) -> tuple[Table, ...]:
-    """Twists, then wrenches; empty systems left out."""
-    tables = []
-    for screws, wrench in ((twists, False), (wrenches, True)):
-        if screws:
-            rows = tuple(
-                (
-                    words(screw.kind),
-                    coordinates(screw, order, wrench=wrench),
-                    line(screw),
-                )
-                for screw in screws
+) -> list[Block]:
+    """Twists, then wrenches, each in words above its coordinates."""
+    blocks: list[Block] = []
+    for name, screws, wrench in (
+        ("freedoms", twists, False),
+        ("constraint wrenches", wrenches, True),
+    ):
+        if not screws:
+            continue
+        width = max(len(screw.kind) for screw in screws)
+        items = tuple(
+            Condition(
+                "",
+                (Words(f"{screw.kind:<{width}}  "), *line(screw)),
+                details=halves(screw, order, wrench=wrench),
             )
-            columns = (Column(()), Column((), "wrap", 3), Column((), "wrap", 2))
-            tables.append(Table(columns, rows))
-    return tuple(tables)
+            for screw in screws
+        )
+        blocks += [Heading(words(name), 2), Listing(items)]
+    return blocks
+
+
+def halves(screw: IdentifiedScrew, order: str, *, wrench: bool) -> tuple[Text, ...]:
+    """The coordinates on one line, or one for each half where they are long."""
+    split = split_of(screw.coordinates, order, wrench=wrench)
+    whole = tuple_of(screw.coordinates, split)
+    if sum(map(len, screw.coordinates)) <= _ONE_LINE:
+        return (whole,)
+    at = next(i for i, span in enumerate(whole) if span == Words("; "))
+    return (*whole[:at], Words(";")), (Words("\u00a0"), *whole[at + 1 :])
 
 
 def coordinates(screw: IdentifiedScrew, order: str, *, wrench: bool) -> Text:
@@ -107,7 +124,7 @@ def coordinates(screw: IdentifiedScrew, order: str, *, wrench: bool) -> Text:
 def line(screw: IdentifiedScrew) -> Text:
     """The screw in geometry's words: its axis, a point of it, its pitch."""
     if screw.description:
-        return prose(screw.description)
+        return prose(screw.description.removeprefix(f"{screw.kind} "))
     parts: list[Text] = []
     if screw.axis:
         parts.append((Words("along "), *tuple_of(screw.axis)))
@@ -118,14 +135,31 @@ def line(screw: IdentifiedScrew) -> Text:
     return joined(parts, " ")
 
 
+def freedom_names(wrenches: tuple[ActuationWrench, ...]) -> list[str]:
+    """The freedoms as they are typed: ``name:k`` where the joint has several."""
+    several = {w.joint for w in wrenches if w.freedom}
+    return [
+        f"{w.joint}:{w.freedom}" if w.joint in several else w.joint for w in wrenches
+    ]
+
+
+def actuation_listing(wrenches: tuple[ActuationWrench, ...], order: str) -> Listing:
+    """One entry a freedom; idle freedoms say so."""
+    items: list[Condition] = []
+    for name, entry in zip(freedom_names(wrenches), wrenches, strict=True):
+        if entry.screw is None:
+            items.append(Condition(name, words("nothing: it moves its limb alone")))
+            continue
+        where = (Words(f"{entry.screw.kind}  "), *line(entry.screw))
+        details = halves(entry.screw, order, wrench=True)
+        items.append(Condition(name, where, details=details))
+    return Listing(tuple(items), 1)
+
+
 def actuation_table(wrenches: tuple[ActuationWrench, ...], order: str) -> Table:
     """One row a freedom; idle freedoms say so."""
     rows: list[tuple[Text, ...]] = []
-    several = {w.joint for w in wrenches if w.freedom}
-    for entry in wrenches:
-        name = (
-            f"{entry.joint}:{entry.freedom}" if entry.joint in several else entry.joint
-        )
+    for name, entry in zip(freedom_names(wrenches), wrenches, strict=True):
         if entry.screw is None:
             rows.append((words(name), words("–"), words("adds nothing: idle"), ()))
             continue

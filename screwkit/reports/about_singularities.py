@@ -19,10 +19,12 @@ from screwkit.reports.blocks import (
 from screwkit.reports.conditions import (
     Numbered,
     Numbering,
+    by_number,
     condition,
     matched,
     numbered,
     numbered_alone,
+    reads_well,
     solution_text,
 )
 from screwkit.reports.phrases import listed
@@ -35,9 +37,13 @@ from screwkit.results.singularities import (
     Singularities,
 )
 
+SHOWN = 12
 
-def singularities_blocks(answer: Singularities) -> tuple[Block, ...]:
-    """The whole answer, limb, constraint and actuation."""
+
+def singularities_blocks(
+    answer: Singularities, *, shown: int | None = SHOWN
+) -> tuple[Block, ...]:
+    """The whole answer; ``shown`` caps each list of conditions, None shows all."""
     numbering = numbered(answer)
     blocks: list[Block] = []
     ranks = {limb.generic_rank for limb in answer.limb}
@@ -47,10 +53,12 @@ def singularities_blocks(answer: Singularities) -> tuple[Block, ...]:
             Heading(words("LIMB   where a limb loses a freedom"), 1, words(aside))
         )
     for limb, entries in zip(answer.limb, numbering.limbs, strict=True):
-        blocks += limb_blocks(limb, entries, numbering, show_rank=not aside)
-    blocks += constraint_blocks(answer.constraint, numbering)
+        blocks += limb_blocks(
+            limb, entries, numbering, show_rank=not aside, shown=shown
+        )
+    blocks += constraint_blocks(answer.constraint, numbering, shown=shown)
     if answer.actuation is not None:
-        blocks += actuation_blocks(answer.actuation, numbering)
+        blocks += actuation_blocks(answer.actuation, numbering, shown=shown)
     if answer.assumptions:
         taken = joined([math(text) for text in answer.assumptions])
         blocks.append(Paragraph((Words("assumed: "), *taken)))
@@ -63,22 +71,25 @@ def limb_blocks(
     numbering: Numbering,
     *,
     show_rank: bool,
+    shown: int | None = SHOWN,
 ) -> list[Block]:
     """One limb's conditions and where they meet."""
     head = f"{limb.limb}: {listed(limb.joints)}"
     aside = f"rank {limb.generic_rank} in general" if show_rank else ""
     blocks: list[Block] = [Heading(words(head), 2, words(aside))]
-    items = [condition(entry, numbering) for entry in entries]
-    if items:
-        blocks.append(Listing(tuple(items)))
+    blocks += listing(entries, numbering, shown)
     blocks += [
         Paragraph(
             (*meeting(one, entries), Words(f":  rank {one.rank}")),
             2,
         )
-        for one in limb.intersections
+        for one in limb.intersections[:shown]
     ]
-    blocks.append(Paragraph(prose(verdict(limb, none=not items)), 2))
+    hidden = len(limb.intersections) - len(limb.intersections[:shown])
+    if hidden:
+        more = f"… {hidden} more meetings of these conditions (--all, --json)"
+        blocks.append(Paragraph(words(more), 2))
+    blocks.append(Paragraph(prose(verdict(limb, none=not entries)), 2))
     return blocks
 
 
@@ -107,8 +118,31 @@ def verdict(
     return f"{found}: {proof}" if proof else f"{found} (proved)"
 
 
+def listing(
+    entries: Sequence[Numbered], numbering: Numbering, shown: int | None
+) -> list[Block]:
+    """The conditions, the likeliest to be met first; how many are not shown."""
+    if not entries:
+        return []
+    ordered = by_number(entries)
+    taken, hidden = ordered[:shown], ordered[shown:] if shown is not None else []
+    items = tuple(condition(entry, numbering) for entry in taken)
+    blocks: list[Block] = [Listing(items)]
+    if hidden:
+        depths = sorted({entry.component.codimension for entry in hidden})
+        of = " and ".join(
+            filter(None, (", ".join(map(str, depths[:-1])), str(depths[-1])))
+        )
+        more = f"… {len(hidden)} more, of codimension {of} (--all, --json)"
+        blocks.append(Paragraph(words(more), 2))
+    return blocks
+
+
 def constraint_blocks(
-    part: ConstraintSingularities, numbering: Numbering
+    part: ConstraintSingularities,
+    numbering: Numbering,
+    *,
+    shown: int | None = SHOWN,
 ) -> list[Block]:
     """Where the constraints of the limbs become dependent."""
     blocks: list[Block] = [
@@ -118,14 +152,14 @@ def constraint_blocks(
             words(f"rank {part.generic_rank} in general"),
         )
     ]
-    items = [condition(entry, numbering) for entry in numbering.constraint]
-    if items:
-        blocks.append(Listing(tuple(items)))
-    blocks.append(Paragraph(prose(verdict(part, none=not items)), 2))
+    blocks += listing(numbering.constraint, numbering, shown)
+    blocks.append(Paragraph(prose(verdict(part, none=not numbering.constraint)), 2))
     return blocks
 
 
-def actuation_blocks(part: ActuationSingularities, numbering: Numbering) -> list[Block]:
+def actuation_blocks(
+    part: ActuationSingularities, numbering: Numbering, *, shown: int | None = SHOWN
+) -> list[Block]:
     """Where the locked platform can move after all."""
     locked = listed(part.actuated)
     blocks: list[Block] = [
@@ -141,12 +175,13 @@ def actuation_blocks(part: ActuationSingularities, numbering: Numbering) -> list
     if not part.admissible:
         why = f": {part.witness}" if part.witness else ""
         return [*blocks, Paragraph(prose(f"not admissible, it always can{why}"), 2)]
-    items = [condition(entry, numbering) for entry in numbering.actuation]
-    if items:
-        blocks.append(Listing(tuple(items)))
-    blocks.append(Paragraph(prose(verdict(part, none=not items)), 2))
+    blocks += listing(numbering.actuation, numbering, shown)
+    blocks.append(Paragraph(prose(verdict(part, none=not numbering.actuation)), 2))
     if part.idle:
-        where = joined([idle_place(component) for component in part.idle], ";  ")
+        ordered = sorted(part.idle, key=lambda component: component.codimension)
+        where = joined([idle_place(component) for component in ordered[:shown]], ";  ")
+        if ordered[shown:] if shown is not None else ():
+            where = (*where, Words(f";  … {len(ordered[shown:])} more"))
         head = Words(f"idle only (the {numbering.platform} stays fixed): ")
         blocks.append(Paragraph((head, *where), 2))
     return blocks
@@ -172,7 +207,11 @@ def idle_place(component: Component) -> Text:
     """Where a component lies, without numbers."""
     return joined(
         [
-            math(solution_text(solution) if solution else f"{equation} = 0")
+            math(
+                solution_text(solution)
+                if solution is not None and reads_well(solution, equation)
+                else f"{equation} = 0"
+            )
             for equation, solution in matched(component)
         ]
     )

@@ -191,7 +191,11 @@ def _mobility_section(answer: Mobility | Undecided) -> tuple[Block, ...]:
     if answer.platform.cases:
         blocks.append(_motion_table(answer))
     if answer.actuation is not None:
-        blocks.append(Paragraph(words(_sentence(locked(answer.actuation, ", ")))))
+        blocks.append(
+            Paragraph(
+                words(_sentence(locked(answer.actuation, answer.platform_name, ", ")))
+            )
+        )
     if answer.at_values is not None and answer.at_values.differences:
         said = " ".join(_sentence(text) for text in answer.at_values.differences)
         blocks.append(Paragraph(prose(f"The values of the file are special. {said}")))

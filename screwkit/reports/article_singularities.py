@@ -19,6 +19,7 @@ from screwkit.reports.blocks import (
 from screwkit.reports.conditions import (
     Numbered,
     Numbering,
+    by_number,
     consequence,
     matched,
     numbered,
@@ -173,7 +174,8 @@ def _conditions(
     entries: tuple[Numbered, ...], numbering: Numbering, caption: str, label: str
 ) -> Table:
     """No., condition, solution, rank, geometry."""
-    rows = tuple(_row(entry, numbering) for entry in entries)
+    ordered = by_number(entries)
+    rows = tuple(_row(entry, numbering) for entry in ordered)
     columns = (
         Column(words("No."), "right"),
         Column(words("Condition"), "wrap", 1.25),
@@ -186,7 +188,7 @@ def _conditions(
         rows,
         words(caption),
         label,
-        anchors=tuple(entry.label for entry in entries),
+        anchors=tuple(entry.label for entry in ordered),
         long=True,
     )
 

@@ -158,6 +158,8 @@ class Condition:
     Attributes:
         number: As referred to; empty for unnumbered remarks.
         value: A short result, ``rank 4``.
+        meaning: What then, in a few words.
+        why: A sentence, beside ``meaning`` where there is room.
         details: Further lines, ``r3 cos q2 + d3 sin q2 = 0``.
     """
 
@@ -166,6 +168,7 @@ class Condition:
     value: Text = ()
     meaning: Text = ()
     details: tuple[Text, ...] = ()
+    why: Text = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -27,6 +27,7 @@ from screwkit.results.singularities import Component, Singularities, Solution
 
 _LETTERS = re.compile(r"[A-Za-z_]\w*")
 _SHORT: Final = 36
+_BEARABLE: Final = 90
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,15 +66,20 @@ class Numbering:
 
 
 def numbered(answer: Singularities) -> Numbering:
-    """Number the components: limbs, then constraint, then actuation."""
+    """Number the components: limbs, then constraint, then actuation.
+
+    Within a list the numbers follow the codimension, so that what is met first in
+    practice comes first; the entries keep the order of the components.
+    """
     start = 1
     single: dict[str, Numbered] = {}
 
     def take(components: Sequence[Component]) -> tuple[Numbered, ...]:
         nonlocal start
-        taken = tuple(Numbered(start + i, c) for i, c in enumerate(components))
+        order = sorted(range(len(components)), key=lambda i: components[i].codimension)
+        taken = {index: start + place for place, index in enumerate(order)}
         start += len(taken)
-        return taken
+        return tuple(Numbered(taken[i], c) for i, c in enumerate(components))
 
     limbs = tuple(take(limb.components) for limb in answer.limb)
     for limb in limbs:
@@ -149,28 +155,49 @@ def matched(component: Component) -> tuple[tuple[str, Solution | None], ...]:
     return tuple((equation, pairs[equation]) for equation in component.equations)
 
 
+def by_number(entries: Sequence[Numbered]) -> list[Numbered]:
+    """The conditions in the order in which they are read."""
+    return sorted(entries, key=lambda entry: entry.number)
+
+
 def place(entry: Numbered, single: Mapping[str, Numbered]) -> tuple[Text, bool]:
     """Where a condition holds, and whether its sentence of geometry was used up."""
     component = entry.component
     pairs = matched(component)
     if len(pairs) == 1:
         equation, solution = pairs[0]
-        if solution is not None:
+        if solution is not None and reads_well(solution, equation):
             return math(solution_text(solution)), False
         if component.geometry and len(equation) > _SHORT:
             return prose(component.geometry), True
         return math(f"{equation} = 0"), False
-    parts: list[Text] = []
+    references: list[Text] = []
+    numeric: dict[str, list[str]] = {}
+    others: list[Text] = []
     for equation, solution in pairs:
         known = single.get(equation)
-        if known is not None and not (solution and is_numeric(solution)):
-            parts.append((known.reference,))
-        elif solution is not None:
-            parts.append(math(solution_text(solution)))
+        if solution is not None and is_numeric(solution):
+            text = solution_text(solution)
+            variable, _, values = text.partition(" = ")
+            numeric.setdefault(values, []).append(variable)
+        elif known is not None:
+            references.append((known.reference,))
+        elif solution is not None and reads_well(solution, equation):
+            others.append(math(solution_text(solution)))
         else:
-            parts.append(math(f"{equation} = 0"))
-    references = all(isinstance(part[0], Reference) for part in parts)
-    return joined(parts, " and " if references else ", "), False
+            others.append(math(f"{equation} = 0"))
+    same = [
+        math(f"{', '.join(variables)} = {values}")
+        for values, variables in numeric.items()
+    ]
+    met, rest = joined(references, " and "), joined([*same, *others], "; ")
+    return joined([met, rest], " with "), False
+
+
+def reads_well(solution: Solution, equation: str) -> bool:
+    """Whether a solution says more than its equation; long ones seldom do."""
+    text = solution_text(solution)
+    return is_numeric(solution) or len(text) <= max(_BEARABLE, len(equation) * 2 // 3)
 
 
 def consequence(component: Component, platform: str) -> str:
@@ -187,22 +214,21 @@ def condition(entry: Numbered, numbering: Numbering) -> Condition:
     """A numbered entry of a listing."""
     component, single = entry.component, numbering.single
     where, used = place(entry, single)
-    sentences = [consequence(component, numbering.platform)]
     earlier = (
         single.get(component.equations[0]) if len(component.equations) == 1 else None
     )
-    meaning: Text = ()
+    why: Text = ()
     if component.geometry and not used:
-        sentences.append(component.geometry)
+        why = prose(component.geometry)
     elif earlier is not None and earlier.number != entry.number:
-        meaning = (Words("see "), earlier.reference)
-    text = prose("; ".join(sentence for sentence in sentences if sentence))
+        why = (Words("see "), earlier.reference)
     return Condition(
         number=str(entry.number),
         where=where,
         value=words(f"rank {component.rank}"),
-        meaning=joined([text, meaning], "; "),
+        meaning=prose(consequence(component, numbering.platform)),
         details=equations(entry, where, earlier),
+        why=why,
     )
 
 

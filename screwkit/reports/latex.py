@@ -239,7 +239,7 @@ def _matrix(name: str, rows: tuple[tuple[str, ...], ...], label: str) -> str:
 def _listing(items: tuple[Condition, ...], setting: _Setting) -> str:
     lines = []
     for item in items:
-        parts = (item.where, item.value, item.meaning, *item.details)
+        parts = (item.where, item.value, item.meaning, item.why, *item.details)
         body = "; ".join(_inline(part, setting) for part in parts if part)
         lines.append(rf"\item[{{{escape(item.number)}}}] {body}")
     return "\\begin{itemize}\n" + "\n".join(lines) + "\n\\end{itemize}"

@@ -76,8 +76,13 @@ def blocks(result: Any) -> tuple[Block, ...]:
     raise TypeError(f"no section for {type(result).__name__}")
 
 
-def answer_blocks(result: Any) -> tuple[Block, ...]:
-    """The answer with a head line that names the case."""
+def answer_blocks(result: Any, *, every: bool = False) -> tuple[Block, ...]:
+    """The answer with a head line that names the case.
+
+    Args:
+        result: Any answer.
+        every: Whether long lists of schemes or conditions are shown in full.
+    """
     case, title = getattr(result, "case", ""), getattr(result, "title", "")
     if not case:
         return blocks(result)
@@ -85,6 +90,10 @@ def answer_blocks(result: Any) -> tuple[Block, ...]:
     topology = getattr(result, "topology", None)
     if topology is not None:
         head.append(Paragraph(words(topology_line(topology))))
+    if every and isinstance(result, Schemes):
+        return (*head, *schemes_blocks(result, shown=None))
+    if every and isinstance(result, Singularities):
+        return (*head, *singularities_blocks(result, shown=None))
     return (*head, *blocks(result))
 
 

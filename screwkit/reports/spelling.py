@@ -104,6 +104,8 @@ class _Unicode:
         return f"{head}{argument}" if argument.startswith("(") else f"{head} {argument}"
 
     def times(self, left: str, right: str) -> str:
+        if right == self.pi and left.isdecimal():
+            return left + right
         return f"{left} · {right}" if right.startswith("(") else f"{left} {right}"
 
     def root(self, inside: str, level: int) -> tuple[str, int]:

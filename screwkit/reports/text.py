@@ -1,12 +1,7 @@
-"""Blocks for a terminal: the answer first, aligned columns, nothing to decode.
-
-Expressions longer than a cap are summarised by their number of terms, because nobody
-reads two hundred of them on a screen; the JSON has them in full.
-"""
+"""Blocks for a terminal: the answer first, aligned columns, nothing to decode."""
 
 from __future__ import annotations
 
-import re
 import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -34,15 +29,12 @@ from screwkit.reports.blocks import (
     Text,
     Words,
 )
-from screwkit.reports.notation import factor_unicode, in_unicode, term_count
-from screwkit.reports.spelling import SUPERSCRIPTS
+from screwkit.reports.expressions import HARD_SPACE, expression, locus, printable
 
 WIDTH: Final = 100
 CAP: Final = 160
 _GAP: Final = "  "
 _LEAST: Final = 18
-_HARD_SPACE: Final = "\u00a0"
-_INNER_SPACE: Final = re.compile(r"(?<![+−·=,/>< ]) (?![+−·=/>< (])")
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,12 +66,12 @@ def render(blocks: Sequence[Block], page: Page | None = None) -> str:
         parts.append(text)
         previous = block
     text = "\n".join(parts) + "\n" if parts else ""
-    return text.replace(_HARD_SPACE, " ")
+    return text.replace(HARD_SPACE, " ")
 
 
 def inline(text: Text, page: Page | None = None) -> str:
     """A text on one line."""
-    return _inline(text, page or Page()).replace(_HARD_SPACE, " ")
+    return _inline(text, page or Page()).replace(HARD_SPACE, " ")
 
 
 def _inline(text: Text, page: Page) -> str:
@@ -103,50 +95,25 @@ def _apart(before: Block, block: Block) -> bool:
 
 def _span(span: Span, page: Page) -> str:
     match span:
-        case Words(text) | Prose(text):
-            return _printable(text)
+        case Words(text):
+            return printable(text)
+        case Prose(text):
+            return printable(text).replace(" - ", " − ")
         case Loose(text):
-            return _printable(text).replace(" - ", " − ")
+            return printable(text).replace(" - ", " − ").replace("*", "·")
         case Strong(text):
-            text = _printable(text)
+            text = printable(text)
             return f"\x1b[1m{text}\x1b[0m" if page.bold else text
         case Math(text, terms):
-            return _expression(text, terms, page)
+            return expression(text, terms, page.cap)
         case Loci(factors):
-            return _locus(factors, page)
+            return locus(factors, page.cap)
         case Reference(_, number):
             return number
         case Citation(key, place):
             return f"[{key}, {place}]" if place else f"[{key}]"
         case _:
             assert_never(span)
-
-
-def _printable(text: str) -> str:
-    """Text from a file without control characters, which a terminal would obey."""
-    return "".join(c if c.isprintable() else " " for c in text)
-
-
-def _expression(text: str, terms: int, page: Page) -> str:
-    if len(text) > page.cap:
-        return f"({terms or term_count(text)} terms, see --json)"
-    return _unbroken(_printable(in_unicode(text)))
-
-
-def _locus(factors: tuple[tuple[str, int, int], ...], page: Page) -> str:
-    written: list[str] = []
-    for text, power, terms in factors:
-        if len(text) > page.cap:
-            mark = str(power).translate(SUPERSCRIPTS) if power > 1 else ""
-            written.append(_expression(text, terms, page) + mark)
-        else:
-            written.append(_printable(factor_unicode(text, power, len(factors) == 1)))
-    return " · ".join(map(_unbroken, written))
-
-
-def _unbroken(text: str) -> str:
-    """Spaces within a monomial made unbreakable, so that lines end at operators."""
-    return _INNER_SPACE.sub(_HARD_SPACE, text)
 
 
 def _render(block: Block, page: Page) -> str:
@@ -162,7 +129,7 @@ def _render(block: Block, page: Page) -> str:
         case Table():
             return _table(block, page)
         case Listing(items, indent):
-            return _listing(items, "  " * indent, page)
+            return _listing(items, 2 * indent, page)
         case Bibliography(entries):
             return "\n".join(f"[{entry.key}]  {entry.text}" for entry in entries)
         case _:
@@ -196,7 +163,7 @@ def _wrapped(text: str, width: int) -> list[str]:
 
 
 def _matrix(name: str, rows: tuple[tuple[str, ...], ...], page: Page) -> str:
-    cells = [[_expression(text, 0, page) for text in row] for row in rows]
+    cells = [[expression(text, 0, page.cap) for text in row] for row in rows]
     widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
     lines = [
         "[ " + _GAP.join(c.ljust(w) for c, w in zip(row, widths, strict=True)) + " ]"
@@ -269,38 +236,52 @@ def _aligned(text: str, width: int, column: Column) -> str:
     return text.center(width) if column.align == "centre" else text.ljust(width)
 
 
-def _listing(items: tuple[Condition, ...], indent: str, page: Page) -> str:
+def _listing(items: tuple[Condition, ...], indent: int, page: Page) -> str:
+    """Conditions in columns; what is too long for its column gets lines of its own."""
     numbers = max((len(item.number) for item in items), default=0)
-    start = len(indent) + (numbers + 2 if numbers else 0)
-    places = [_inline(item.where, page) for item in items]
+    start = indent + (numbers + len(_GAP) if numbers else 0)
+    places = [_whole(item.where, page, page.width - start) for item in items]
     values = [_inline(item.value, page) for item in items]
     value_width = max(map(len, values), default=0)
-    longest = max(map(len, places), default=0)
-    where_width = min(max(longest, 24), max(page.width // 2 - start, 24))
+    half = max(page.width // 2 - start, 24)
+    shorter = [len(place) for place in places if len(place) <= half]
+    where_width = max([*shorter, 24])
     lines: list[str] = []
     for item, place, value in zip(items, places, values, strict=True):
-        meaning = _inline(item.meaning, page)
+        number = item.number.rjust(numbers) + _GAP if numbers else ""
+        where = _wrapped(place, page.width - start) if place else [""]
+        meaning, why = _inline(item.meaning, page), _inline(item.why, page)
         room = page.width - start - where_width - value_width - 5
-        if not value and not meaning:
-            where, why = _wrapped(place, page.width - start), [""]
+        both = "; ".join(filter(None, (meaning, why)))
+        if not value and not both:
+            told: list[str] = []
+        elif len(both) <= room or not (meaning or value):
+            told, why = [both], ""
+        elif len(meaning) <= room:
+            told = [meaning]
         else:
-            where, why = _wrapped(place, where_width), _wrapped(meaning, room)
-        for line in range(max(len(where), len(why))):
-            number = item.number.rjust(numbers) if line == 0 else " " * numbers
-            parts = (
-                indent
-                + (number + "  " if numbers else "")
-                + (where[line] if line < len(where) else "").ljust(where_width)
-                + "  "
-                + (value if line == 0 else "").ljust(value_width)
-                + "   "
-                + (why[line] if line < len(why) else "")
-            )
-            lines.append(parts.rstrip())
-        for detail in item.details:
-            deeper = " " * (start + 2)
-            lines += [
-                deeper + part
-                for part in _wrapped(_inline(detail, page), page.width - start - 2)
-            ]
+            told, why = [""], both
+        if told and len(where[-1]) > where_width:
+            where.append("")
+        if told:
+            columns = where[-1].ljust(where_width), value.ljust(value_width)
+            where[-1] = f"{columns[0]}{_GAP}{columns[1]}   {told[0]}"
+        for index, line in enumerate(where):
+            head = " " * indent + number if index == 0 else " " * start
+            lines.append((head + line).rstrip())
+        below = [why, *(_inline(detail, page) for detail in item.details)]
+        deeper = " " * (start + 2)
+        for text in filter(None, below):
+            lines += [deeper + part for part in _wrapped(text, page.width - start - 2)]
     return "\n".join(lines)
+
+
+def _whole(text: Text, page: Page, room: int) -> str:
+    """A text whose expressions do not break, unless one is longer than a line."""
+    written: list[str] = []
+    for span in text:
+        shown = _span(span, page)
+        if isinstance(span, Math) and len(shown) < room:
+            shown = shown.replace(" ", HARD_SPACE)
+        written.append(shown)
+    return "".join(written)

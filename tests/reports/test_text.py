@@ -50,7 +50,7 @@ def test_singularities_are_numbered_through_and_refer_to_each_other() -> None:
     assert "r3 cos q2 + d3 sin q2 = 0" in text
     assert "1 and 2 with cos q3 = 0:  rank 3" in text
     assert "5  2 and 4" in text
-    assert "7  4, q4 = 0, π, q3 = ±π/2" in text
+    assert "7  4 with q4 = 0, π; q3 = ±π/2" in text
     assert "11  q2 = atan(−r3/d3) (mod π)" in text
     assert "see 2" in text
     assert "undecided whether this is all" in text
@@ -61,7 +61,7 @@ def test_parts_of_an_unfinished_answer_can_be_shown() -> None:
     answer = samples.SINGULARITIES
     assert answer.actuation is not None
     assert "2  q2 = atan(−r3/d3) (mod π)" in shown(answer.limb[0])
-    assert "q9 = 0, π, q8 = ±π/2" in shown(answer.constraint)
+    assert "q9 = 0, π; q8 = ±π/2" in shown(answer.constraint)
     assert "B in the plane of axes 4 and 5" in shown(answer.actuation)
 
 
