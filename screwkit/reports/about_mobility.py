@@ -144,7 +144,8 @@ def motion_listing(platform: Platform) -> Listing:
 
 def full_cycle(answer: FullCycle) -> str:
     """Whether the freedoms are finite motions."""
-    because = f": {answer.reason}" if answer.reason else ""
+    reason = answer.reason.removesuffix(", so the motion is finite")
+    because = f": {reason}" if reason else ""
     if answer.status == "undecided":
         return f"undecided whether the motion is finite{because}"
     how = " (sampled)" if answer.status == "sampled" else ""

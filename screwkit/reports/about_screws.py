@@ -22,6 +22,7 @@ from screwkit.results.screws import ActuationWrench, IdentifiedScrew, Screws
 
 LINEAR = "moment-direction"
 _ONE_LINE = 76
+_READABLE = 240
 
 
 def screws_blocks(answer: Screws) -> tuple[Block, ...]:
@@ -125,6 +126,8 @@ def line(screw: IdentifiedScrew) -> Text:
     """The screw in geometry's words: its axis, a point of it, its pitch."""
     if screw.description:
         return prose(screw.description.removeprefix(f"{screw.kind} "))
+    if sum(map(len, (*screw.axis, *screw.point, screw.pitch))) > _READABLE:
+        return words("with its axis and pitch in the JSON")
     parts: list[Text] = []
     if screw.axis:
         parts.append((Words("along "), *tuple_of(screw.axis)))

@@ -53,7 +53,13 @@ from screwkit.reports.blocks import (
 from screwkit.reports.phrases import platform_called, signed
 from screwkit.reports.records import version
 from screwkit.reports.references import cited, entries, keys_in
-from screwkit.reports.sections import claim_remark, claims_line, plain_value
+from screwkit.reports.sections import (
+    claim_name,
+    claim_remark,
+    claims_line,
+    found,
+    plain_value,
+)
 from screwkit.results.analysis import Analysis, ClaimCheck, Undecided
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
@@ -188,7 +194,7 @@ def _mobility_section(answer: Mobility | Undecided) -> tuple[Block, ...]:
             )
         )
     )
-    if answer.platform.cases:
+    if any(case.reason for case in answer.platform.cases):
         blocks.append(_motion_table(answer))
     if answer.actuation is not None:
         blocks.append(
@@ -210,7 +216,7 @@ def _working_head(name: str, citation: Text) -> Text:
 def _counts_table(answer: Mobility) -> Table:
     rows = tuple(
         (
-            words(working.name),
+            words(working.name[:1].upper() + working.name[1:]),
             (
                 Words("("),
                 Reference(f"equation:count{index}", str(index + 1)),
@@ -289,17 +295,17 @@ def _claims_section(claims: tuple[ClaimCheck, ...]) -> tuple[Block, ...]:
         return ()
     rows = tuple(
         (
-            words(claim.question.replace(".", ", ").replace("_", " ")),
+            words(claim_name(claim)),
             plain_value(claim.claimed),
-            plain_value(claim.computed) or words("undecided"),
-            words("; ".join(filter(None, (claim.source, claim_remark(claim))))),
+            found(claim),
+            prose("; ".join(filter(None, (claim.source, claim_remark(claim))))),
         )
         for claim in claims
     )
     columns = (
-        Column(words("Claim"), "wrap", 1.1),
-        Column(words("Stated"), "wrap"),
-        Column(words("Holds"), "wrap"),
+        Column(words("Claim"), "wrap", 1.2),
+        Column(words("Stated"), "wrap", 1.2),
+        Column(words("Holds"), "wrap", 0.6),
         Column(words("Source and remark"), "wrap", 2),
     )
     caption = words(f"Published beside what holds: {claims_line(claims)}")

@@ -23,6 +23,7 @@ from screwkit.reports.conditions import (
     consequence,
     matched,
     numbered,
+    reads_well,
     solution_text,
 )
 from screwkit.reports.phrases import counted
@@ -197,7 +198,9 @@ def _row(entry: Numbered, numbering: Numbering) -> tuple[Text, ...]:
     component = entry.component
     pairs = matched(component)
     condition = joined([math(f"{equation} = 0") for equation, _ in pairs])
-    solved = joined([math(solution_text(s)) for _, s in pairs if s is not None])
+    solved = joined(
+        [math(solution_text(s)) for e, s in pairs if s is not None and reads_well(s, e)]
+    )
     sentences = [component.geometry or "", consequence(component, numbering.platform)]
     text = prose("; ".join(sentence for sentence in sentences if sentence))
     parts: list[Text] = [text]

@@ -98,7 +98,14 @@ def document(
 
 def render(blocks: Sequence[Block]) -> str:
     """Blocks for the body of an article."""
-    return "\n\n".join(filter(None, (_render(b, _Setting()) for b in blocks)))
+    parts: list[str] = []
+    for before, block in zip((None, *blocks), blocks, strict=False):
+        # A formula belongs to the paragraph before it, so that no page parts them.
+        apart = "\n" if isinstance(before, Paragraph) else "\n\n"
+        text = _render(block, _Setting())
+        if text:
+            parts.append((apart if isinstance(block, Formula) else "\n\n") + text)
+    return "".join(parts).strip("\n")
 
 
 def fragment(table: Table) -> str:
@@ -165,7 +172,7 @@ def _locus(factors: tuple[tuple[str, int, int], ...]) -> str:
 
 def _breakable(formula: str) -> str:
     """Long products may break before a function, though rather at a plus sign."""
-    if len(formula) < 120:
+    if len(formula) < 60:
         return formula
     return re.sub(r"(?<=[}\w)])\\(sin|cos)\b", r"\\penalty900\\\1", formula)
 

@@ -47,14 +47,16 @@ def latex_name(name: str) -> str:
 
     >>> print(latex_name("r3"), latex_name("theta12"), latex_name("q3_1"))
     r_{3} \theta_{12} q_{3,1}
-    >>> print(latex_name("width"), latex_name("e_right"))
-    \mathit{width} e_{\mathrm{right}}
+    >>> print(latex_name("width"), latex_name("e_right"), latex_name("qA1"))
+    \mathit{width} e_{\mathrm{right}} q_{A1}
     """
     head, *tail = name.split("_")
     match = _NAME.fullmatch(head)
     if match is None or not re.fullmatch(r"[A-Za-z0-9]*", match[3]):
         return rf"\mathit{{{_harmless(name)}}}"
     stem, digits, rest = match.groups()
+    if re.fullmatch(r"[a-z][A-Z]", stem) and not rest:
+        stem, digits = stem[0], stem[1] + digits
     if rest:
         stem, digits = head, ""
     if stem in _LETTERS:

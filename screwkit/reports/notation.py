@@ -69,6 +69,23 @@ def in_latex(text: str) -> str:
     return _relations(text, LATEX)
 
 
+def is_mathematics(text: str) -> bool:
+    """Whether a text is an expression or a relation, and not a sentence.
+
+    >>> is_mathematics("q2 = atan(-r3/d3)"), is_mathematics("three (of 9)")
+    (True, False)
+    """
+    from screwkit.algebra.parse import parse  # noqa: PLC0415
+
+    bare = _MODULO.sub("", text)
+    try:
+        for side in re.split(r"!=|<=|>=|[=<>≠≤≥]", bare):
+            parse(side)
+    except ExpressionError:
+        return False
+    return True
+
+
 def factor_unicode(text: str, power: int, alone: bool) -> str:
     """A factor of a locus for the terminal; a sum in brackets unless it is alone.
 
@@ -114,6 +131,8 @@ def term_count(text: str) -> int:
     return terms
 
 
+_STACKED_WIDTH = 18
+_UNSEEN = re.compile(r"\\[A-Za-z]+|\\.|[{}_^ ]")
 _OPERATOR = re.compile(r"!=|<=|>=|[=<>≠≤≥,]|\b(?:and|or)\b")
 _MODULO = re.compile(r"\s*\(mod\s+([^()]+)\)")
 
@@ -261,12 +280,18 @@ def _quotient(
 ) -> tuple[str, int]:
     top, top_level = _write(numerator, style)
     bottom, bottom_level = _write(denominator, style)
-    if not style.stacked:
-        if top_level == SUM:
-            top = f"({top})"
-        if bottom_level != ATOM:
-            bottom = f"({bottom})"
-    return style.fraction(top, bottom)
+    if style.stacked and max(_printed(top), _printed(bottom)) <= _STACKED_WIDTH:
+        return style.fraction(top, bottom)
+    if top_level == SUM:
+        top = f"({top})"
+    if bottom_level != ATOM:
+        bottom = f"({bottom})"
+    return style.slanted(top, bottom)
+
+
+def _printed(formula: str) -> int:
+    """About how many characters of a formula are seen."""
+    return len(_UNSEEN.sub("", re.sub(r"\\(sin|cos|tan|sqrt)\b", "abc", formula)))
 
 
 def _power(base: Expression, exponent: int, style: Style) -> tuple[str, int]:
@@ -291,8 +316,9 @@ def _call(
         return style.applied(head, _argument(arguments[0], style)), PREFIX
     if style.stacked and len(arguments) == 1:
         stacked = _stacked(arguments[0])
-        if stacked is not None:
-            return style.applied(head, _write(stacked, style)[0]), PREFIX
+        body, level = _write(stacked, style) if stacked is not None else ("", SUM)
+        if level >= PREFIX:
+            return style.applied(head, body), PREFIX
     inside = ", ".join(_write(argument, style)[0] for argument in arguments)
     return f"{head}({inside})", PREFIX
 

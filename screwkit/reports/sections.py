@@ -32,8 +32,10 @@ from screwkit.reports.blocks import (
     Words,
     joined,
     math,
+    prose,
     words,
 )
+from screwkit.reports.notation import is_mathematics
 from screwkit.results.analysis import Analysis, ClaimCheck, Description, Undecided
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
@@ -201,10 +203,10 @@ def claims_table(claims: Sequence[ClaimCheck]) -> Table:
     )
     rows = tuple(
         (
-            words(claim.question),
+            words(claim_name(claim)),
             plain_value(claim.claimed),
-            plain_value(claim.computed) or words("undecided"),
-            words(f"{claim_remark(claim)} ({claim.status}: {claim.source})"),
+            found(claim),
+            prose(f"{claim_remark(claim)} ({claim.status}: {claim.source})"),
         )
         for claim in claims
     )
@@ -222,7 +224,21 @@ def plain_value(value: Any) -> Text:
     if isinstance(value, int):
         return words(str(value).replace("-", "−"))
     text = str(value)
-    return math(text) if _FORMULA.search(text) else words(text)
+    formula = _FORMULA.search(text) and is_mathematics(text)
+    return math(text) if formula else prose(text)
+
+
+def found(claim: ClaimCheck) -> Text:
+    """What holds, as far as it can be shown in a cell."""
+    shown = plain_value(claim.computed)
+    return shown or words("as stated" if claim.agrees else "–")
+
+
+def claim_name(claim: ClaimCheck) -> str:
+    """The question of a claim as words: ``mobility, counts, gogu (bases)``."""
+    path, _, aspect = claim.question.partition("#")
+    name = path.replace(".", ", ").replace("_", " ")
+    return f"{name} ({aspect.replace('_', ' ')})" if aspect else name
 
 
 def claim_remark(claim: ClaimCheck) -> str:

@@ -48,6 +48,10 @@ class Style(Protocol):
         """A quotient and how tightly it binds."""
         ...
 
+    def slanted(self, top: str, bottom: str) -> tuple[str, int]:
+        """A quotient on one line, its parts bracketed where they need it."""
+        ...
+
     def function(self, name: str) -> str:
         """The name of a function."""
         ...
@@ -94,6 +98,9 @@ class _Unicode:
     def fraction(self, top: str, bottom: str) -> tuple[str, int]:
         return f"{top}/{bottom}", PRODUCT
 
+    def slanted(self, top: str, bottom: str) -> tuple[str, int]:
+        return f"{top}/{bottom}", PRODUCT
+
     def function(self, name: str) -> str:
         return name
 
@@ -133,6 +140,9 @@ class _Latex:
 
     def fraction(self, top: str, bottom: str) -> tuple[str, int]:
         return rf"\frac{{{top}}}{{{bottom}}}", PREFIX
+
+    def slanted(self, top: str, bottom: str) -> tuple[str, int]:
+        return rf"{top}\big/{bottom}", PRODUCT
 
     def function(self, name: str) -> str:
         return TEX_FUNCTIONS.get(name, rf"\operatorname{{{name}}}")

@@ -169,6 +169,7 @@ def prose(text: str) -> str:
     >>> print(prose("sin q4 = 0 on axis 3"))
     $\sin q_{4}$ = 0 on axis 3
     """
+    text = text.replace(" - ", " − ").replace("*", "·")
     written: list[str] = []
     at = 0
     for match in _LETTER.finditer(text):

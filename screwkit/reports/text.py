@@ -98,7 +98,7 @@ def _span(span: Span, page: Page) -> str:
         case Words(text):
             return printable(text)
         case Prose(text):
-            return printable(text).replace(" - ", " − ")
+            return printable(text).replace(" - ", " − ").replace("*", "·")
         case Loose(text):
             return printable(text).replace(" - ", " − ").replace("*", "·")
         case Strong(text):
