@@ -7,23 +7,15 @@ divided by known factors is split as it stands; every piece is proved irreducibl
 
 from __future__ import annotations
 
-import random
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from flint import fmpq
-
+from screwkit.algebra.division import Divisor, exact_quotient
 from screwkit.algebra.half_angle import Form, HalfAngles
-from screwkit.algebra.irreducible import Layout, Shape, is_irreducible, shape
-from screwkit.algebra.points import random_point, residue
-from screwkit.algebra.trigonometric import (
-    Polynomial,
-    TrigonometricRing,
-    as_fraction,
-    primitive,
-)
-
-LARGEST_NORM = 400  # terms; see `_Divisor`
+from screwkit.algebra.irreducible import Shape, is_irreducible, shape
+from screwkit.algebra.points import residue
+from screwkit.algebra.restrictions import Layout, Probe, Restrictions
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
 
 @dataclass(frozen=True)
@@ -57,6 +49,15 @@ class Factor:
         return self.equations[0]
 
 
+@dataclass(frozen=True)
+class _Known:
+    """A factor, ready to be divided out."""
+
+    factor: Factor
+    divisor: Divisor
+    restrictions: Restrictions
+
+
 class FactorLibrary:
     """What has been factored in one ring, and the tools to factor more.
 
@@ -70,31 +71,89 @@ class FactorLibrary:
         self.factors: dict[str, Factor] = {}
         self._layout = Layout.of(ring)
         self._halves = HalfAngles(ring, self._layout)
+        self._probe = Probe(self._layout, 7)
+        self._points = [self._probe.point(moved) for moved in (False, True)]
         self._pieces: dict[str, list[tuple[Factor, int]]] = {}
-        self._values: dict[str, tuple[int, int]] = {}
-        if not ring.has_extensions:
-            self._point = _Point(ring, self._layout, self._halves)
-        self._divisors: dict[str, _Divisor] = {}
+        self._known: list[_Known] = []
+        self._residues: dict[str, tuple[int, ...]] = {}
         for sine, cosine in zip(ring.sines, ring.cosines, strict=True):
             self.irreducible(sine)
             self.irreducible(cosine)
 
-    def irreducible(self, polynomial: Polynomial, certified: bool = True) -> Factor:
-        """The factor of a polynomial known not to split."""
+    def irreducible(
+        self,
+        polynomial: Polynomial,
+        certified: bool = True,
+        restrictions: Restrictions | None = None,
+    ) -> Factor:
+        """The factor of a polynomial known not to split.
+
+        Args:
+            polynomial: Primitive and in normal form.
+            certified: Whether that is proved.
+            restrictions: At the library's point, up to numbers.
+        """
         key = str(polynomial)
         factor = self.factors.get(key)
         if factor is None:
-            factor = Factor(key, (polynomial,), certified)
-            self._keep(factor)
+            factor = self.factors[key] = Factor(key, (polynomial,), certified)
+            if not self.is_extended(polynomial):
+                if restrictions is None:
+                    restrictions = self._probe.restrictions(polynomial)
+                if restrictions:
+                    divisor = self._divisor(polynomial)
+                    self._known.append(_Known(factor, divisor, restrictions))
         return factor
 
-    def split(self, polynomial: Polynomial) -> list[tuple[Factor, int]]:
+    def is_extended(self, polynomial: Polynomial) -> bool:
+        """Whether symbolic roots or inverses occur in a polynomial."""
+        if not self._layout.extensions:
+            return False
+        degrees = polynomial.degrees()
+        return any(degrees[i] for i in self._layout.extensions)
+
+    def factored(self, polynomial: Polynomial) -> list[tuple[Factor, int]]:
         """The factors of a primitive polynomial in normal form, without constants."""
+        known = None
+        if not self.is_extended(polynomial):
+            known = self._probe.restrictions(polynomial)
+        if known is None:
+            return self.paired(self.split(polynomial))
+        found, rest, known = self._divided(polynomial, known)
+        if not rest.is_constant():
+            found = found + self.split(rest, known)
+        return self.paired(collected(found))
+
+    def _numbers(self, polynomial: Polynomial) -> Polynomial:
+        """An irrational number that divides a polynomial; 1 where there is none."""
+        degrees = polynomial.degrees()
+        variables = list(self._layout.variables(degrees))
+        if not variables or not any(degrees[i] for i in self._layout.constants):
+            return self.ring.one
+        values = {
+            self.ring.names[i]: 2 + 3 * n
+            for n, i in enumerate(i for variable in variables for i in variable)
+        }
+        first = polynomial.subs(values)
+        second = polynomial.subs({name: value + 1 for name, value in values.items()})
+        common = first.gcd(second)
+        exact = not common.is_constant() and exact_quotient(polynomial, common)
+        return primitive(common) if exact else self.ring.one
+
+    def split(
+        self, polynomial: Polynomial, known: Restrictions | None = None
+    ) -> list[tuple[Factor, int]]:
+        """As `factored`, but trying no known factors, and with halves unpaired.
+
+        Args:
+            polynomial: To be split.
+            known: Its restrictions at the library's point, up to numbers.
+        """
         key = str(polynomial)
         if key in self.factors:
             return [(self.factors[key], 1)]
         if key not in self._pieces:
-            self._pieces[key] = self._split(polynomial)
+            self._pieces[key] = self._split(polynomial, known)
         return self._pieces[key]
 
     def paired(self, factors: Sequence[tuple[Factor, int]]) -> list[tuple[Factor, int]]:
@@ -106,46 +165,78 @@ class FactorLibrary:
         paired = self._halves.paired(odd)
         return collected([*whole, *((self._final(form), m) for form, m in paired)])
 
-    def value(self, polynomial: Polynomial) -> int:
-        """The value of a primitive polynomial at the library's rational point."""
-        return self._point.value(polynomial)
+    def residues(self, polynomial: Polynomial) -> tuple[int, ...]:
+        """Values of a polynomial, made homogeneous in the angles, at two points."""
+        degrees = self._layout.degrees(polynomial)
+        found = []
+        for values, tangents in self._points:
+            result = residue(polynomial, values, self.prime)
+            for angle, t in zip(self._layout.angles, tangents, strict=True):
+                result = result * pow(1 + t * t, degrees.get(angle, 0), self.prime)
+            found.append(result % self.prime)
+        return tuple(found)
 
-    def factor_value(self, factor: Factor) -> tuple[int, int]:
-        """Of a factor: `value` and residue at the library's modular point."""
-        return self._values[factor.key]
+    def factor_residues(self, factor: Factor) -> tuple[int, ...]:
+        """Of a factor, at the points of `residues`."""
+        if factor.key not in self._residues:
+            if factor.form is None:
+                found = self.residues(factor.polynomial)
+            else:
+                found = tuple(
+                    residue(factor.form.polynomial, [*values, *tangents], self.prime)
+                    for values, tangents in self._points
+                )
+            self._residues[factor.key] = found
+        return self._residues[factor.key]
 
-    def residue(self, polynomial: Polynomial) -> int:
-        """The value of a polynomial at the library's modular point."""
-        return self._point.residue(polynomial)
+    @property
+    def prime(self) -> int:
+        """The modulus of residues."""
+        return self._layout.prime
 
-    def divided(
-        self, polynomial: Polynomial, value: int
-    ) -> tuple[list[tuple[Factor, int]], Polynomial]:
-        """Known factors of a polynomial, and what is left of it.
+    def _divided(
+        self, polynomial: Polynomial, known: Restrictions
+    ) -> tuple[list[tuple[Factor, int]], Polynomial, Restrictions]:
+        """Known factors of a polynomial, what is left of it, and its restrictions.
 
-        A factor must divide in value at a random integer point; the division itself is
-        exact, by the norm of the factor, so nothing rests on the point.
+        A factor must divide in all restrictions; the division itself is exact, so
+        nothing rests on the point.
         """
         found = []
-        for key, divisor in list(self._divisors.items()):
-            known = self._values[key][0]
+        for entry in self._known:
             multiplicity = 0
-            while value % known == 0:
-                quotient = divisor.divide(polynomial, self.ring)
+            parts = entry.restrictions
+            while _divides(parts, known):
+                quotient = entry.divisor.divide(polynomial)
                 if quotient is None:
                     break
-                polynomial, value = primitive(quotient), value // known
+                polynomial = primitive(quotient)
+                occurs = self._layout.degrees(polynomial)
+                known = {
+                    v: restricted // parts[v] if v in parts else restricted
+                    for v, restricted in known.items()
+                    if v in occurs
+                }
                 multiplicity += 1
             if multiplicity:
-                found.append((self.factors[key], multiplicity))
+                found.append((entry.factor, multiplicity))
                 if polynomial.is_constant():
                     break
-        return found, polynomial
+        return found, polynomial, known
 
-    def _split(self, polynomial: Polynomial) -> list[tuple[Factor, int]]:
-        found = shape(self._layout, polynomial)
+    def _split(
+        self, polynomial: Polynomial, known: Restrictions | None
+    ) -> list[tuple[Factor, int]]:
+        number = self._numbers(polynomial)
+        if number != 1:
+            rest = self.split(primitive(polynomial / number), known)
+            return collected([*self.split(number), *rest])
+        found = shape(self._layout, polynomial, 1, self._probe, known)
         if found.irreducible:
-            return [(self.irreducible(polynomial), 1)]
+            return [(self.irreducible(polynomial, True, known), 1)]
+        parts = self._parted(polynomial, found)
+        if parts is not None:
+            return parts
         pieces = polynomial.factor()[1]
         if len(pieces) > 1 or pieces[0][1] > 1:
             return collected(
@@ -155,31 +246,51 @@ class FactorLibrary:
             )
         if found.settled:
             return [(self.irreducible(polynomial), 1)]
-        parts = self._parted(polynomial, found) or self._halved_once(polynomial)
-        if parts is not None:
+        whole = self._halved_once(polynomial)
+        if whole is not None:
             return collected(
                 (factor, n * m)
-                for form, m in parts
+                for form, m in whole
                 for factor, n in self.split(self._halves.whole(form))
             )
-        degrees = self._halves.degrees(polynomial)
-        return [(self._final(form), m) for form, m in self._halved(polynomial, degrees)]
+        angles = self._halves.degrees(polynomial)
+        return [(self._final(form), m) for form, m in self._halved(polynomial, angles)]
 
     def _parted(
         self, polynomial: Polynomial, found: Shape
-    ) -> list[tuple[Form, int]] | None:
-        """A factor that is free of some variable, and its cofactor."""
-        if not any(found.degrees.values()) or self._layout.constants:
+    ) -> list[tuple[Factor, int]] | None:
+        """The factors free of some variable, and the one that contains it."""
+        if not any(found.degrees.values()):
             return None
-        wanted, absent = {}, list(found.free_of)
-        for i, angle in enumerate(self._layout.angles):
-            if angle in found.degrees:
-                wanted[i] = found.degrees[angle]
-                if not wanted[i]:
-                    absent += angle
-        if any(degree % 2 for degree in wanted.values()):
+        if any(len(v) == 2 and degree % 2 for v, degree in found.degrees.items()):
             return None
-        return self._halves.parted(polynomial, wanted, absent)
+        common = quotient = None
+        occurring = polynomial.degrees()
+        roots = [i for i in self._layout.constants if occurring[i]]
+        for absent in ([], roots) if roots else ([],):
+            common = self._halves.common(polynomial, found.degrees, absent)
+            if common is not None:
+                common = primitive(common / self._numbers(common))
+                quotient = self._divisor(common).divide(polynomial)
+            if quotient is not None:
+                break
+        if common is None or quotient is None:
+            # Parts that contain the same irrational number cannot be separated while
+            # it is taken for a generator, neither here nor in half angles.
+            hidden = [(self.irreducible(polynomial, False), 1)]
+            return hidden if roots else None
+        rest = primitive(quotient)
+        degrees = self._layout.degrees(common)
+        if found.rest_irreducible and all(
+            len(v) * degrees.get(v, 0) == d for v, d in found.degrees.items()
+        ):
+            last = [(self.irreducible(rest), 1)]
+        else:
+            last = self.split(rest)
+        return collected([*self.split(common), *last])
+
+    def _divisor(self, polynomial: Polynomial) -> Divisor:
+        return Divisor(polynomial, self.ring, self._halves, self._layout)
 
     def _halved_once(self, polynomial: Polynomial) -> list[tuple[Form, int]] | None:
         """Factors that show when one angle is halved and others are left."""
@@ -208,98 +319,19 @@ class FactorLibrary:
             )
             return self.irreducible(equations[0], certified)
         key = "; ".join(map(str, equations))
-        factor = self.factors.get(key)
-        if factor is None:
-            factor = Factor(key, equations, not self.ring.has_extensions, form)
-            self._keep(factor)
-        return factor
-
-    def _keep(self, factor: Factor) -> None:
-        self.factors[factor.key] = factor
-        if self.ring.has_extensions:
-            return
-        if factor.form is not None:
-            self._values[factor.key] = self._point.form_values(factor.form)
-            return
-        polynomial = factor.polynomial
-        self._values[factor.key] = (self.value(polynomial), self.residue(polynomial))
-        self._divisors[factor.key] = _Divisor(polynomial, self.ring, self._layout)
+        if key not in self.factors:
+            certified = not self.ring.has_extensions
+            self.factors[key] = Factor(key, equations, certified, form)
+        return self.factors[key]
 
 
-class _Point:
-    """A rational point and a modular one at which products are compared."""
-
-    def __init__(
-        self, ring: TrigonometricRing, layout: Layout, halves: HalfAngles
-    ) -> None:
-        source = random.Random(7)
-        self._halves = halves
-        self._pairs = []
-        exact: list[fmpq] = [fmpq(0)] * len(ring.names)
-        for sine, cosine in layout.angles:
-            u, v = source.randrange(1, 2**16) * 2, source.randrange(2**16) * 2 + 1
-            self._pairs.append((u, v))
-            w = u * u + v * v
-            exact[sine], exact[cosine] = fmpq(2 * u * v, w), fmpq(v * v - u * u, w)
-        self._symbols = [0] * len(ring.names)
-        for symbol in layout.symbols:
-            self._symbols[symbol] = source.randrange(2**16, 2**20)
-            exact[symbol] = fmpq(self._symbols[symbol])
-        self._exact = exact
-        self._modular = random_point(ring, source)
-
-    def value(self, polynomial: Polynomial) -> int:
-        """The value, times what makes the angles homogeneous: an integer."""
-        if polynomial.is_constant():
-            return int(as_fraction(polynomial))
-        value = polynomial(*self._exact)
-        for i, degree in self._halves.degrees(polynomial).items():
-            u, v = self._pairs[i]
-            value *= (u * u + v * v) ** degree
-        return int(value.p)
-
-    def residue(self, polynomial: Polynomial) -> int:
-        """The value modulo the prime of `points`."""
-        return residue(polynomial, self._modular)
-
-    def form_values(self, form: Form) -> tuple[int, int]:
-        """The value of an odd form, and 0 where a residue would be ambiguous."""
-        return self._halves.value(form, self._pairs, self._symbols), 0
-
-
-class _Divisor:
-    """Divides by one polynomial, by its norm over the angles it contains."""
-
-    def __init__(
-        self, polynomial: Polynomial, ring: TrigonometricRing, layout: Layout
-    ) -> None:
-        self._polynomial = polynomial
-        self._cofactor: Polynomial | None = ring.one
-        self._norm = polynomial
-        degrees = polynomial.degrees()
-        for (sine, _), generator in zip(layout.angles, ring.sines, strict=True):
-            if degrees[sine]:
-                mirrored = self._norm.compose(
-                    *(-g if g == generator else g for g in ring.context.gens())
-                )
-                if len(mirrored) ** 2 > LARGEST_NORM:
-                    self._cofactor = None
-                    return
-                self._cofactor = ring.normal(self._cofactor * mirrored)
-                self._norm = ring.normal(self._norm * mirrored)
-
-    def divide(
-        self, polynomial: Polynomial, ring: TrigonometricRing
-    ) -> Polynomial | None:
-        """The quotient, or None where the division was not found to be exact."""
-        quotient, rest = divmod(polynomial, self._polynomial)
-        if rest == 0:
-            return ring.normal(quotient)
-        if self._cofactor is None:
-            return None
-        raised = ring.normal(polynomial * self._cofactor)
-        quotient, rest = divmod(raised, self._norm)
-        return quotient if rest == 0 else None
+def _divides(parts: Restrictions, whole: Restrictions) -> bool:
+    """Whether every restriction divides."""
+    for variable, restricted in parts.items():
+        other = whole.get(variable)
+        if other is None or other % restricted != 0:
+            return False
+    return True
 
 
 def collected(

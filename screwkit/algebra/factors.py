@@ -11,16 +11,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import isqrt
 
-from screwkit.algebra.factor_library import Factor, FactorLibrary, collected
+from screwkit.algebra.factor_library import Factor, FactorLibrary
 from screwkit.algebra.half_angle import Form, HalfAngles
-from screwkit.algebra.irreducible import Layout
-from screwkit.algebra.points import PRIME
+from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.trigonometric import (
     Polynomial,
     TrigonometricRing,
     as_fraction,
-    content,
     primitive,
 )
 
@@ -86,58 +85,67 @@ def factor(
     known = FactorLibrary(ring) if library is None else library
     if polynomial.is_constant():
         return Factored(as_fraction(polynomial), ())
-    whole = primitive(polynomial)
-    if ring.has_extensions:
-        return _by_expansion(known, polynomial, known.split(whole))
-    value = known.value(whole)
-    found, rest = known.divided(whole, value)
-    if not rest.is_constant():
-        found = found + known.split(rest)
-    factors = _sorted(known.paired(collected(found)))
-    ratio = Fraction(value)
-    for part, multiplicity in factors:
-        ratio /= known.factor_value(part)[0] ** multiplicity
-    scale = content(polynomial)
-    result = Factored(ratio * Fraction(int(scale.p), int(scale.q)), factors)
-    _verify(known, polynomial, result)
-    return result
+    found = known.factored(primitive(polynomial))
+    if known.is_extended(polynomial):
+        return _by_expansion(ring, polynomial, found)
+    return _by_values(known, polynomial, found)
 
 
-def _verify(library: FactorLibrary, polynomial: Polynomial, result: Factored) -> None:
-    """Compare with the product at a random point mod a 61-bit prime."""
-    if any(factor.form is not None for factor, _ in result.factors):
-        if result.expand(library.ring) != polynomial:
-            raise ArithmeticError("the product of the factors is another polynomial")
-        return
-    product = result.content.numerator * pow(result.content.denominator, -1, PRIME)
-    for part, multiplicity in result.factors:
-        power = pow(library.factor_value(part)[1], multiplicity, PRIME)
-        product = product * power % PRIME
-    if (product - library.residue(polynomial)) % PRIME:
-        raise ArithmeticError("the product of the factors is another polynomial")
+def _by_values(
+    library: FactorLibrary, polynomial: Polynomial, found: Sequence[tuple[Factor, int]]
+) -> Factored:
+    """The content from values at one point, compared at another, both mod p."""
+    first, second = library.residues(polynomial)
+    for part, multiplicity in found:
+        for_first, for_second = library.factor_residues(part)
+        first = first * pow(for_first, -multiplicity, library.prime) % library.prime
+        second = second * pow(for_second, -multiplicity, library.prime) % library.prime
+    ratio = _reconstructed(first, library.prime)
+    if first != second or ratio is None:
+        return _by_expansion(library.ring, polynomial, found)
+    unit, factors = _without_numbers(library.ring, found)
+    return Factored(ratio, _sorted(factors), unit)
+
+
+def _reconstructed(residue: int, prime: int) -> Fraction | None:
+    """The fraction with small numerator and denominator that has this residue."""
+    bound = isqrt(prime) >> 8
+    above, below = (prime, residue), (0, 1)
+    while above[1] > bound:
+        quotient = above[0] // above[1]
+        above = above[1], above[0] - quotient * above[1]
+        below = below[1], below[0] - quotient * below[1]
+    if not above[1] or abs(below[1]) > bound:
+        return None
+    return Fraction(above[1], below[1])
 
 
 def _by_expansion(
-    library: FactorLibrary,
-    polynomial: Polynomial,
-    found: Sequence[tuple[Factor, int]],
+    ring: TrigonometricRing, polynomial: Polynomial, found: Sequence[tuple[Factor, int]]
 ) -> Factored:
-    """The content from the expanded product; for rings with roots."""
-    ring = library.ring
-    numbers = set(range(len(ring.names) - len(ring.constant_generators)))
-    unit, factors = ring.one, []
-    for part, multiplicity in library.paired(found):
-        degrees = part.equations[0].degrees()
-        if any(degrees[i] for i in numbers):
-            factors.append((part, multiplicity))
-        else:
-            unit = ring.normal(unit * part.polynomial**multiplicity)
-    result = Factored(Fraction(1), _sorted(factors), None if unit == 1 else unit)
+    """The content from the expanded product."""
+    unit, factors = _without_numbers(ring, found)
+    result = Factored(Fraction(1), _sorted(factors), unit)
     product = result.expand(ring)
     ratio = polynomial.coeffs()[0] / product.coeffs()[0]
     if ratio * product != polynomial:
         raise ArithmeticError("the product of the factors is another polynomial")
     return replace(result, content=Fraction(int(ratio.p), int(ratio.q)))
+
+
+def _without_numbers(
+    ring: TrigonometricRing, found: Sequence[tuple[Factor, int]]
+) -> tuple[Polynomial | None, list[tuple[Factor, int]]]:
+    """The product of irrational numbers, None for 1, and the other factors."""
+    numbers = range(len(ring.names) - len(ring.constant_generators))
+    unit, factors = ring.one, []
+    for part, multiplicity in found:
+        degrees = part.equations[0].degrees()
+        if any(degrees[i] for i in numbers):
+            factors.append((part, multiplicity))
+        else:
+            unit = ring.normal(unit * part.polynomial**multiplicity)
+    return None if unit == 1 else unit, factors
 
 
 def _sorted(

@@ -15,8 +15,9 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from flint import Ordering, fmpq_mpoly_ctx
+from flint.utils.flint_exceptions import DomainError
 
-from screwkit.algebra.irreducible import Layout
+from screwkit.algebra.restrictions import Layout, Variable, coefficients
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
 Degrees: TypeAlias = Mapping[int, int]  # by basis angle; absent ones do not occur
@@ -51,9 +52,11 @@ class HalfAngles:
 
     def __init__(self, ring: TrigonometricRing, layout: Layout) -> None:
         self._ring = ring
+        self._layout = layout
         self._angles = layout.angles
         self._size = len(ring.names)
         names = [*ring.names, *(f"t{i}" for i in range(len(layout.angles)))]
+        self._names = names
         self._context = fmpq_mpoly_ctx.get(names, Ordering.lex)
         gens = self._context.gens()
         self._one = self._context.constant(1)
@@ -62,28 +65,35 @@ class HalfAngles:
 
     def degrees(self, polynomial: Polynomial) -> dict[int, int]:
         """The degree in sine and cosine together of every angle that occurs."""
-        bounds = polynomial.degrees()
-        exponents = polynomial.monoms()
+        degrees = self._layout.degrees(polynomial)
         return {
-            i: int(max(e[s] + e[c] for e in exponents))
-            for i, (s, c) in enumerate(self._angles)
-            if bounds[s] or bounds[c]
+            i: degrees[angle]
+            for i, angle in enumerate(self._angles)
+            if angle in degrees
         }
 
     def form(self, polynomial: Polynomial, angles: Iterable[int]) -> Form:
         """The polynomial with these angles, which must occur in it, halved."""
         degrees = self.degrees(polynomial)
-        halved = polynomial.project_to_context(self._context)
-        chosen = {i: 2 * degrees[i] for i in angles}
-        for i, degree in chosen.items():
-            s, c = self._angles[i]
+        chosen = {i: degrees[i] for i in angles}
+        halved = self._form(polynomial.project_to_context(self._context), chosen)
+        return Form(halved, {i: 2 * degree for i, degree in chosen.items()})
+
+    def _form(self, polynomial: Polynomial, degrees: Degrees) -> Polynomial:
+        """With some angles, of given degrees, halved."""
+        for i, degree in degrees.items():
             t = self._tangents[i]
             sine, cosine, unit = 2 * t, 1 - t**2, 1 + t**2
-            halved = self._sum(
-                part * sine**a * cosine**b * unit ** (degree // 2 - a - b)
-                for (a, b), part in self._slices(halved, (s, c)).items()
+            polynomial = self._sum(
+                part * (sine**a * cosine**b * unit ** (degree - a - b))
+                for (a, b), part in self._slices(polynomial, self._angles[i]).items()
             )
-        return Form(halved, chosen)
+        return polynomial
+
+    def _degree(self, polynomial: Polynomial, angle: int) -> int:
+        """In sine and cosine together."""
+        s, c = self._angles[angle]
+        return max(sum(key) for key in self._slices(polynomial, (s, c)))
 
     def whole(self, form: Form) -> Polynomial:
         """The primitive polynomial in normal form of a form of even degrees."""
@@ -124,44 +134,79 @@ class HalfAngles:
         ]
         return parts
 
-    def parted(
-        self, polynomial: Polynomial, wanted: Degrees, absent: Sequence[int]
-    ) -> list[tuple[Form, int]] | None:
-        """A factor without some generators and its cofactor, where there is one.
+    def common(
+        self,
+        polynomial: Polynomial,
+        wanted: Mapping[Variable, int],
+        without: Sequence[int] = (),
+    ) -> Polynomial | None:
+        """A factor that contains some variables only.
 
-        Such a factor divides every coefficient with respect to those generators.
+        It divides every coefficient with respect to the others.
 
         Args:
             polynomial: To be split.
-            wanted: The degree of the factor in tan(q/2), by angle.
-            absent: Positions of generators that the factor does not contain.
+            wanted: The degree of the factor in tan(q/2), by angle, and by symbol.
+            without: Other generators that it does not contain.
+
+        Returns:
+            The common factor of some coefficients, of these degrees at most; None where
+            there is none.
         """
-        shared = [
-            i
+        shared = {
+            i: wanted.get(self._angles[i], 0)
             for i, degree in self.degrees(polynomial).items()
-            if 0 < wanted.get(i, 0) < 2 * degree
+            if 0 < wanted.get(self._angles[i], 0) < 2 * degree
+        }
+        bounds = polynomial.degrees()
+        absent = [*without]
+        absent += [
+            i
+            for variable in self._layout.variables(bounds)
+            if not wanted.get(variable)
+            for i in variable
         ]
-        form = self.form(polynomial, shared)
-        degrees = {i: wanted[i] for i in shared}
-        slices = sorted(self._slices(form.polynomial, tuple(absent)).values(), key=len)
-        common = slices[0]
-        for part in slices[1:]:
+        limits = {self._size + i: degree for i, degree in shared.items()}
+        for variable, degree in wanted.items():
+            limits |= {i: degree // len(variable) for i in variable}
+        raised = polynomial.project_to_context(self._context)
+        common = None
+        for part in sorted(self._slices(raised, absent).values(), key=len):
+            form = self._form(part, {i: self._degree(part, i) for i in shared})
+            common = form if common is None else common.gcd(form)
             bounds = common.degrees()
-            if all(bounds[self._size + i] <= degrees[i] for i in shared):
+            if all(bounds[i] <= degree for i, degree in limits.items()):
                 break
-            common = common.gcd(part)
-        common = primitive(common)
-        quotient, rest = divmod(form.polynomial, common)
-        bounds = common.degrees()
-        if rest != 0 or any(bounds[self._size + i] > degrees[i] for i in shared):
+        else:
             return None
-        others = {i: form.degrees[i] - degree for i, degree in degrees.items()}
-        parts = [Form(common, degrees), Form(primitive(quotient), others)]
-        return (
-            None
-            if any(p.polynomial.is_constant() for p in parts)
-            else [(part, 1) for part in parts]
-        )
+        found = self.whole(Form(primitive(common), shared))
+        return None if found.is_constant() else found
+
+    def quotient(
+        self, polynomial: Polynomial, divisor: Polynomial
+    ) -> Polynomial | None:
+        """The polynomial that gives a polynomial when multiplied by a divisor."""
+        below = self.degrees(divisor)
+        above = self.degrees(polynomial)
+        if any(above.get(i, 0) < degree for i, degree in below.items()):
+            return None
+        degrees = {i: d for i, d in below.items() if d < above[i]}
+        forms = [
+            self._form(p.project_to_context(self._context), d)
+            for p, d in (
+                (polynomial, {i: above[i] for i in degrees}),
+                (divisor, degrees),
+            )
+        ]
+        try:
+            found = forms[0] / forms[1]
+        except DomainError:
+            return None
+        left = {i: 2 * (above[i] - degrees[i]) for i in degrees}
+        bounds = found.degrees()
+        if any(bounds[self._size + i] > degree for i, degree in left.items()):
+            return None
+        return self.exact(Form(found, left))
 
     def paired(self, parts: Sequence[tuple[Form, int]]) -> list[tuple[Form, int]]:
         """Odd factors times their images under q → q + π, where all of them divide."""
@@ -215,32 +260,6 @@ class HalfAngles:
         a, b = (self.exact(Form(slices.get((k,), zero), rest)) for k in (1, 0))
         return a, b
 
-    def value(
-        self, form: Form, halves: Sequence[tuple[int, int]], rest: Sequence[int]
-    ) -> int:
-        """The integer value of a form with integer coefficients.
-
-        Args:
-            form: All of its angles halved.
-            halves: (u, v) by basis angle.
-            rest: Integer values of all generators of the ring.
-        """
-        total = 0
-        places = [(self._size + i, i, degree) for i, degree in form.degrees.items()]
-        symbols = [
-            k for k, d in enumerate(form.polynomial.degrees()[: self._size]) if d
-        ]
-        for exponents, coefficient in form.polynomial.to_dict().items():
-            term = int(coefficient)
-            for place, i, degree in places:
-                u, v = halves[i]
-                k = int(exponents[place])
-                term *= u**k * v ** (degree - k)
-            for k in symbols:
-                term *= rest[k] ** int(exponents[k])
-            total += term
-        return int(total)
-
     def _orbit(self, form: Form) -> dict[Key, Form]:
         orbit: dict[Key, Form] = {form.key: form}
         for i in form.odd:
@@ -260,17 +279,10 @@ class HalfAngles:
         return Form(primitive(self._context.from_dict(terms)), form.degrees)
 
     def _slices(
-        self, polynomial: Polynomial, places: tuple[int, ...]
+        self, polynomial: Polynomial, places: Sequence[int]
     ) -> dict[tuple[int, ...], Polynomial]:
         """The coefficients of a polynomial with respect to some generators."""
-        parts: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
-        for exponents, coefficient in polynomial.to_dict().items():
-            rest = list(exponents)
-            for place in places:
-                rest[place] = 0
-            key = tuple(int(exponents[place]) for place in places)
-            parts.setdefault(key, {})[tuple(rest)] = coefficient
-        return {k: self._context.from_dict(terms) for k, terms in parts.items()}
+        return coefficients(polynomial, self._names, places)
 
     def _sum(self, terms: Iterable[Polynomial]) -> Polynomial:
         return sum(terms, self._context.constant(0))

@@ -112,29 +112,32 @@ class PolynomialPrinter:
         sign_matters: bool,
     ) -> str:
         chosen = itemgetter(*order, order[0])  # repeated: always a tuple
-        monomials = [chosen(exponents) for exponents in polynomial.monoms()]
         skipped = sum(place in self._constants for place in order)
-        terms = sorted(
-            (
-                (sum(e[skipped:-1]), e[skipped:-1], e, c)
-                for e, c in zip(monomials, polynomial.coeffs(), strict=True)
-            ),
-            key=itemgetter(0, 1, 2),
-            reverse=True,
-        )
-        written = [names[place] for place in order]
+        bounds = polynomial.degrees()
+        powers = [
+            ["", names[place]]
+            + [_power(names[place], e) for e in range(2, int(bounds[place]) + 1)]
+            for place in order
+        ]
+        terms = []
+        for monomial, coefficient in zip(
+            polynomial.monoms(), polynomial.coeffs(), strict=True
+        ):
+            exponents = list(map(int, chosen(monomial)))
+            exponents.pop()
+            free = exponents[skipped:] if skipped else exponents
+            terms.append((sum(free), free, exponents, coefficient))
+        terms.sort(key=itemgetter(0, 1, 2), reverse=True)
         flip = not sign_matters and terms[0][3] < 0
         pieces = []
         for _, _, exponents, coefficient in terms:
             factors = [
-                name if e == 1 else _power(name, e)
-                for name, e in zip(written, exponents, strict=False)
-                if e
+                texts[e] for texts, e in zip(powers, exponents, strict=True) if e
             ]
-            negative = (coefficient < 0) != flip
-            numerator, denominator = abs(int(coefficient.p)), int(coefficient.q)
-            if numerator != 1 or not factors:
-                factors.insert(0, str(numerator))
+            numerator, denominator = int(coefficient.p), int(coefficient.q)
+            negative = (numerator < 0) != flip
+            if abs(numerator) != 1 or not factors:
+                factors.insert(0, str(abs(numerator)))
             term = "*".join(factors)
             if denominator != 1:
                 term += f"/{denominator}"

@@ -16,8 +16,8 @@ from screwkit.algebra.angles import Merged, merged, natural
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.half_angle import Form, HalfAngles
-from screwkit.algebra.irreducible import Layout
 from screwkit.algebra.polynomial_text import merged_text
+from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.solved_text import (
     AngleValue,
     Quotient,
@@ -59,25 +59,29 @@ def solutions(
         assumptions: Signs of symbols; they place branches in (−π, π].
 
     Returns:
-        Simplest first; empty where nothing short was found.  A quotient is meant
-        where its denominator does not vanish.
+        Simplest first, and of q6 − q1 = 0 the one for q6; empty where nothing short
+        was found.  A quotient is meant where its denominator does not vanish.
     """
+    short = merged(ring, factor.equations[0])
     if factor.form is not None:
         found = list(_of_half_angles(ring, factor.form, factor.equations))
     else:
-        short = merged(ring, factor.polynomial)
         found = [
             *_angles(ring, short, assumptions),
             *_symbols(ring, short, assumptions),
         ]
     kept = [s for s in found if all(len(v) <= LONGEST_TEXT for v in s.values)]
-    return tuple(sorted(kept, key=_complexity))
+    backwards = {n for form in short.forms for n, count in form if count < 0}
+    kept.sort(key=lambda solved: natural(solved.variable))
+    angles = [solved for solved in reversed(kept) if solved.modulo]
+    ordered = angles + [solved for solved in kept if not solved.modulo]
+    return tuple(sorted(ordered, key=lambda solved: _complexity(solved, backwards)))
 
 
-def _complexity(solved: Solved) -> tuple[bool, int, object]:
+def _complexity(solved: Solved, backwards: set[str]) -> tuple[bool, bool, int]:
     longest = max(len(value) for value in solved.values)
     trigonometric = any("cos(" in v or "sin(" in v for v in solved.values)
-    return trigonometric, longest, natural(solved.variable)
+    return trigonometric, solved.variable in backwards, longest
 
 
 # -- angles --------------------------------------------------------------------------

@@ -14,10 +14,10 @@ from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.expression import ZERO
 from screwkit.algebra.factors import Factored, FactorLibrary, factor
 from screwkit.algebra.half_angle import HalfAngles
-from screwkit.algebra.irreducible import Layout
 from screwkit.algebra.minors import minor_table
 from screwkit.algebra.parse import RESULT_LIMITS, parse
 from screwkit.algebra.polynomial_text import equation_text
+from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 from screwkit.kinematics.placement import joint_twists
@@ -72,6 +72,33 @@ def equations(text: str) -> list[tuple[tuple[str, ...], int]]:
 )
 def test_known_factors(text: str, expected: list[tuple[tuple[str, ...], int]]) -> None:
     assert equations(text) == sorted(expected)
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ("r3*sin(q2) - d3*cos(q2)", "r3*sin(q2) - d3*cos(q2)"),
+        ("a*sin(q2 + q3) + b*cos(q2)", "a*sin(q2)*cos(q5) + b*cos(q3)*sin(q4) + c"),
+        ("a*sin(q2) + b*cos(q3) + c*sin(q4)", "c*cos(q2) + a*sin(q3)*cos(q4) + b"),
+        ("a*sin(q1) + b*cos(q2)", "sqrt(3)*a*cos(q1)*sin(q3) + b*cos(q3) + a*sin(q2)"),
+    ],
+)
+def test_parts_that_share_angles_are_found(first: str, second: str) -> None:
+    """Products that no longer show their factors once squared sines are replaced."""
+    both = f"({first})*({second})"
+    expected = Counter(dict(equations(first)))
+    expected.update(dict(equations(second)))
+    assert dict(equations(both)) == expected
+    ring, value, found = factored(both)
+    assert found.certified
+    assert found.expand(ring) == value
+
+
+def test_what_shares_an_irrational_number_is_not_called_irreducible() -> None:
+    _, _, found = factored(
+        "(sqrt(3)*sin(q1) - x*cos(q1))*(sqrt(3)*cos(q1) + y*sin(q1))"
+    )
+    assert len(found.factors) == 2 or not found.certified
 
 
 def test_a_half_angle_factor_is_reported_as_a_pair() -> None:

@@ -2,12 +2,16 @@
 
 import pytest
 
+from screwkit.algebra.division import Divisor
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.half_angle import Form, HalfAngles
-from screwkit.algebra.irreducible import Layout, is_irreducible, shape
+from screwkit.algebra.irreducible import is_irreducible, shape
 from screwkit.algebra.parse import parse
+from screwkit.algebra.restrictions import Layout, Probe
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+
+LONG = "(a*sin(q1)*cos(q2) + b*sin(q3)*cos(q1) + c*sin(q2 + q3) + a*b)^3"
 
 
 def polynomial(text: str) -> tuple[TrigonometricRing, Polynomial]:
@@ -93,3 +97,41 @@ def test_irreducible_ones_are_proved(text: str) -> None:
 def test_reducible_ones_are_never_proved(text: str) -> None:
     ring, value = polynomial(text)
     assert not any(shape(Layout.of(ring), value, seed).irreducible for seed in range(5))
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ("sin(q1)", "1 - cos(q1)"),
+        ("a*sin(q1 + q2) + b*cos(q1)", "b*sin(q1)*cos(q3) - a"),
+        ("1 + cos(q1)", "1 + cos(q1)"),
+    ],
+)
+def test_products_divide(left: str, right: str) -> None:
+    ring, product = polynomial(f"({left})*({right})")
+    divisor = evaluate(parse(left), ring)
+    quotient = evaluate(parse(right), ring)
+    assert halves(ring).quotient(product, divisor) == quotient
+    assert Divisor(divisor, ring, halves(ring), Layout.of(ring)).divide(product) == (
+        quotient
+    )
+
+
+def test_what_does_not_divide_has_no_quotient() -> None:
+    ring, value = polynomial("a*sin(q1) + b*cos(q2)")
+    divisor = evaluate(parse("a*sin(q1) - b*cos(q2)"), ring)
+    assert halves(ring).quotient(value, divisor) is None
+    assert Divisor(divisor, ring, halves(ring), Layout.of(ring)).divide(value) is None
+
+
+@pytest.mark.parametrize("text", ["a*sin(q1)*cos(q2) + b*cos(q1)^2 + c", LONG])
+def test_restrictions_divide_where_polynomials_do(text: str) -> None:
+    """Short polynomials are restricted term by term, long ones by halves."""
+    ring, product = polynomial(f"({text})*(a*cos(q1) + b*sin(q2) + c)")
+    layout = Layout.of(ring)
+    probe = Probe(layout, 1)
+    known = probe.restrictions(product)
+    parts = probe.restrictions(evaluate(parse(text), ring))
+    assert known is not None
+    assert parts is not None
+    assert all(known[v] % parts[v] == 0 for v in parts)

@@ -171,3 +171,18 @@ def number(expression: Expression, point: dict[str, float]) -> float:
         case Call(function, arguments):
             values = [number(argument, point) for argument in arguments]
             return float(getattr(math, function)(*values))
+
+
+@pytest.mark.parametrize(
+    ("text", "variables"),
+    [
+        ("sin(q6 - q1)", ["q6", "q1"]),
+        ("sin(q2 - q10)", ["q10", "q2"]),
+        ("cos(q1 + q6)", ["q6", "q1"]),
+    ],
+)
+def test_the_positive_or_the_later_angle_comes_first(
+    text: str, variables: list[str]
+) -> None:
+    ((_, _, found),) = solved(text)
+    assert [s.variable for s in found] == variables

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from screwkit.algebra.factors import FactorLibrary, factor
 from screwkit.algebra.half_angle import HalfAngles
-from screwkit.algebra.irreducible import Layout
+from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
