@@ -198,6 +198,24 @@ def test_schemes_go_to_a_file(
 
 
 @pytest.mark.usefixtures("engine")
+@pytest.mark.parametrize("command", ["singularities", "schemes"])
+def test_all_shows_lists_in_full(
+    command: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    screwkit(command, "nao_t14", "--all")
+    text = capsys.readouterr().out
+    assert text.startswith(samples.TITLE)
+    assert "--all" not in text
+
+
+def test_check_takes_the_common_options(capsys: pytest.CaptureFixture[str]) -> None:
+    options = ["--set", "d3=0.02", "--actuated", "1,2,3,6", "--timeout", "5"]
+    assert screwkit("check", "nao_t14", *options) == 0
+    assert "12 bodies, 12 joints with 10 freedoms, 1 loop" in capsys.readouterr().out
+    assert screwkit("check", "nao_t14", "--set", "nothing=1") == 2
+
+
+@pytest.mark.usefixtures("engine")
 def test_a_latex_report_has_fragments_and_results(tmp_path: Path) -> None:
     path = tmp_path / "paper" / "arms.tex"
     assert screwkit("report", "nao_t14", "-o", str(path), "--quiet") == 0

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Any
 
 import pytest
 from reports import samples
 
+from screwkit.reports.blocks import math
 from screwkit.reports.sections import CaseEntry, CaseList, answer_blocks
-from screwkit.reports.text import Page, render
+from screwkit.reports.text import Page, inline, render
+from screwkit.results.singularities import Component, Solution
 
 EVERY = [
     samples.MOBILITY,
@@ -105,3 +108,63 @@ def test_the_list_of_cases_is_a_table() -> None:
     head, row = shown(CaseList((entry,))).splitlines()
     assert head.split() == ["case", "joints", "loops", "title", "source"]
     assert row.split()[:3] == ["bennett", "4", "1"]
+
+
+def many(number: int) -> Any:
+    """The sample with a long list of constraint singularities, the deepest first."""
+    components = tuple(
+        Component(
+            ("sin(q4)", f"cos(q{k} - q1)", f"r3*cos(q{k}) + d3*sin(q{k}) - r1"),
+            5 - k * 3 // number,
+            (),
+            5,
+            "the common point of axes 3, 4 and 5 lies in the plane of axes 6 and 7",
+            platform_freedom=3,
+            mobility=5,
+            solved=(
+                Solution("q4", ("0", "pi"), "pi"),
+                Solution(f"q{k}", ("q1 + pi/2", "q1 - pi/2"), "pi"),
+                Solution(f"q{k}", (f"2*atan2(r1*d3*cos(q{k}), r3*sin(q{k}))",), "2*pi"),
+            ),
+        )
+        for k in range(number)
+    )
+    answer = samples.SINGULARITIES
+    return replace(answer, constraint=replace(answer.constraint, components=components))
+
+
+def test_long_lists_show_the_simplest_and_count_the_others() -> None:
+    text = shown(many(30))
+    assert "… 18 more, of codimension 4 and 5 (--all, --json)" in text
+    section = text.partition("CONSTRAINT")[2].partition("ACTUATION")[0]
+    numbers = [int(n) for n in re.findall(r"^ +(\d+)  4?", section, re.MULTILINE)]
+    assert numbers == sorted(numbers)
+    full = render(answer_blocks(many(30), every=True))
+    assert "more, of codimension" not in full
+    assert full.count("object 3 freedoms") - text.count("object 3 freedoms") == 18
+
+
+def test_conditions_never_break_inside_a_value() -> None:
+    for width in (80, 100):
+        text = shown(many(12), width=width)
+        for k in range(12):
+            assert f"q{k} = 2 atan2(r1 d3 cos q{k}, r3 sin q{k}) (mod 2π)" in text
+            assert f"q{k} = q1 + π/2 (mod π)" in text
+        assert max(map(len, text.splitlines())) <= max(width, 100)
+
+
+def test_short_polynomials_are_shown_in_full_and_long_ones_counted() -> None:
+    term = "upper_arm*lower_arm*cos(q1 + q2)*sin(q3 + q4)*cos(q5 + q6)"
+    short, long = " + ".join([term] * 5), " + ".join([term] * 9)
+    assert "terms" not in inline(math(f"{short} = 0"))
+    assert inline(math(f"{long} = 0")) == "(9 terms, see --json) = 0"
+
+
+def test_a_screw_is_said_in_words_without_its_kind_twice() -> None:
+    wrench = replace(
+        samples.SCREWS.platform.wrenches[0], description="force along axis 1"
+    )
+    platform = replace(samples.SCREWS.platform, wrenches=(wrench,))
+    text = shown(replace(samples.SCREWS, platform=platform))
+    assert "force  along axis 1" in text
+    assert "force along" not in text
