@@ -37,11 +37,10 @@ _PACKAGES: Final = (
     ("pydantic", "reading mechanism files", True),
     ("PyYAML", "reading mechanism files", True),
     ("numpy", "numbers over many postures", True),
-    ("scipy", "closing loops numerically", True),
+    ("scipy", "second opinions in the tests", False),
     ("sympy", "expressions in and out of Python", True),
     ("typer", "the command line", True),
     ("rich", "progress on a terminal", True),
-    ("jinja2", "templates", False),
 )
 
 

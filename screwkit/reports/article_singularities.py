@@ -197,9 +197,14 @@ def _conditions(
 def _row(entry: Numbered, numbering: Numbering) -> tuple[Text, ...]:
     component = entry.component
     pairs = matched(component)
-    condition = joined([math(f"{equation} = 0") for equation, _ in pairs])
+    condition = joined([math(f"{equation} = 0") for equation, _ in pairs], "; ")
     solved = joined(
-        [math(solution_text(s)) for e, s in pairs if s is not None and reads_well(s, e)]
+        [
+            math(solution_text(s))
+            for e, s in pairs
+            if s is not None and reads_well(s, e)
+        ],
+        "; ",
     )
     sentences = [component.geometry or "", consequence(component, numbering.platform)]
     text = prose("; ".join(sentence for sentence in sentences if sentence))
