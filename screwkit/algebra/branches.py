@@ -24,6 +24,19 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 
 @dataclass(frozen=True)
+class Pending:
+    """A condition that could not be solved.
+
+    Attributes:
+        condition: As it was imposed.
+        value: What the steps after it have made of it; irreducible on the branch.
+    """
+
+    condition: Polynomial
+    value: Polynomial
+
+
+@dataclass(frozen=True)
 class Branch:
     """A piece of the configuration space of a ring.
 
@@ -31,6 +44,8 @@ class Branch:
         conditions: The irreducible polynomials that vanish on it, in order.
         steps: How they were solved.
         pending: Conditions that could not be solved.
+        extra: Further equations that tell the branch from other zeros of its
+            conditions.
         dimensions: Indices of the symbols that are dimensions of the mechanism, not
             coordinates of its posture.
     """
@@ -39,8 +54,9 @@ class Branch:
     assumptions: Assumptions
     conditions: tuple[Polynomial, ...] = ()
     steps: tuple[Substitution, ...] = ()
-    pending: tuple[Polynomial, ...] = ()
+    pending: tuple[Pending, ...] = ()
     dimensions: tuple[int, ...] = ()
+    extra: tuple[Polynomial, ...] = ()
 
     @property
     def codimension(self) -> int:
@@ -64,11 +80,12 @@ class Branch:
                 sharper[str(step.condition)] = (step.sheet,)
             elif step.companions:
                 sharper[str(step.condition)] = (step.condition, *step.companions)
-        return tuple(
+        found = [
             equation
             for condition in self.conditions
             for equation in sharper.get(str(condition), (condition,))
-        )
+        ]
+        return (*found, *self.extra)
 
     @property
     def divisors(self) -> list[Polynomial]:
@@ -130,7 +147,8 @@ class Branch:
         if point is None:
             return None
         fixed: set[int] = set()
-        solved = moved_onto(self.ring, self.pending, point, source, prime)
+        values = [p.value for p in self.pending]
+        solved = moved_onto(self.ring, values, point, source, prime)
         if solved is None:
             return None
         point = solved
@@ -149,7 +167,7 @@ class Branch:
             for index, image in images:
                 point[index] = image * inverse % prime
                 fixed.add(index)
-        if any(residue(p, point, prime) for p in self.pending):
+        if any(residue(value, point, prime) for value in values):
             return None
         return point
 
@@ -197,7 +215,11 @@ def restricted(
         steps = steps_of(ring, branch.assumptions, condition)
     if steps is None:
         return [
-            replace(branch, conditions=conditions, pending=(*branch.pending, condition))
+            replace(
+                branch,
+                conditions=conditions,
+                pending=(*branch.pending, Pending(condition, condition)),
+            )
         ]
     found = []
     for step in steps:
@@ -216,13 +238,17 @@ def restricted(
     return found
 
 
-def _still_pending(branch: Branch, step: Substitution) -> tuple[Polynomial, ...] | None:
+def _still_pending(branch: Branch, step: Substitution) -> tuple[Pending, ...] | None:
     """The pending conditions after a step; None where one cannot hold any more."""
-    values = [substituted(branch.ring, [p], step)[0] for p in branch.pending]
-    left = tuple(value for value in values if value != 0)
-    if any(branch.assumptions.is_nonzero(branch.ring, value) for value in left):
-        return None
-    return left
+    left = []
+    for pending in branch.pending:
+        value = substituted(branch.ring, [pending.value], step)[0]
+        if value == 0:
+            continue
+        if branch.assumptions.is_nonzero(branch.ring, value):
+            return None
+        left.append(Pending(pending.condition, value))
+    return tuple(left)
 
 
 @dataclass(frozen=True)
@@ -270,3 +296,12 @@ def split(branch: Branch, condition: Polynomial) -> Split | None:
 def is_solvable(branch: Branch, condition: Polynomial) -> bool:
     """Whether `restricted` solves the condition instead of keeping it pending."""
     return steps_of(branch.ring, branch.assumptions, condition) is not None
+
+
+def without(branch: Branch, pending: Pending) -> Branch:
+    """The branch before a pending condition was imposed."""
+    return replace(
+        branch,
+        conditions=tuple(c for c in branch.conditions if c is not pending.condition),
+        pending=tuple(p for p in branch.pending if p is not pending),
+    )

@@ -21,15 +21,18 @@ from screwkit.algebra.branches import (
     is_solvable,
     restricted,
     split,
+    without,
 )
 from screwkit.algebra.factors import Factor, FactorLibrary, factor
 from screwkit.algebra.points import residue
+from screwkit.algebra.points_on import coefficients_in, unknowns
 from screwkit.algebra.substitution import Substitution, angle_parts
 from screwkit.algebra.trigonometric import Polynomial, primitive
 
 _SHORT = 24  # terms of a polynomial from which resolvents are formed
 _PAIRS = 6
 _TERMS_PER_CASE = 80  # longer polynomials use up more of the budget
+_SETTLING = 60  # case distinctions to tell a branch from spurious zeros
 _TRIED = 10  # polynomials that are factored to choose the next case split
 
 
@@ -65,6 +68,7 @@ class Search:
     found: list[Branch] = field(default_factory=list)
     unfinished: list[Branch] = field(default_factory=list)
     special: list[Branch] = field(default_factory=list)
+    problem: tuple[Polynomial, ...] = ()
 
 
 def common_zeros(
@@ -78,6 +82,7 @@ def common_zeros(
         search: Budget and known factors; pieces for which ``search.skip`` is true are
             left out (they are contained in something the caller knows).
     """
+    search.problem = tuple(p for p in polynomials if p != 0)
     _descend(branch, list(polynomials), branch.divisors, search)
     return Decomposition(
         tuple(search.found), tuple(search.unfinished), tuple(search.special)
@@ -90,6 +95,15 @@ def _descend(
     nonzero: list[Polynomial],
     search: Search,
 ) -> None:
+    parts = _refined(branch, search)
+    if parts is not None:
+        for part in parts:
+            on_part = replace_steps(part, part.steps[len(branch.steps) :])
+            moved = [on_part.value(p) for p in polynomials]
+            kept = [on_part.value(p) for p in nonzero]
+            if all(p != 0 for p in kept):
+                _descend(part, moved, kept, search)
+        return
     if branch.is_special:
         search.special.append(branch)
         return
@@ -100,8 +114,11 @@ def _descend(
         search.unfinished.append(branch)
         return
     if not left:
-        known = search.found if branch.points else search.unfinished
-        known.append(branch)
+        exact = told_apart(branch, search) if branch.points else None
+        if exact is None:
+            search.unfinished.append(branch)
+        else:
+            search.found.append(exact)
         return
     if search.budget <= 0:
         search.unfinished.append(branch)
@@ -125,6 +142,81 @@ def _descend(
             excluded.append(case.equations[0])
 
 
+def irreducible_parts(branch: Branch, search: Search) -> list[Branch]:
+    """The branch split until all its pending conditions are irreducible on it."""
+    parts = _refined(branch, search)
+    if parts is None:
+        return [branch]
+    return [inner for part in parts for inner in irreducible_parts(part, search)]
+
+
+def _refined(branch: Branch, search: Search) -> list[Branch] | None:
+    """The branch with pending conditions that later steps made reducible split up.
+
+    None where all of them are still irreducible.
+    """
+    for pending in branch.pending:
+        if len(pending.value) > search.largest:
+            continue
+        cases = possible_factors(branch, pending.value, search.library)
+        same = len(cases) == 1 and cases[0].key == str(primitive(pending.value))
+        if same and not is_solvable(branch, cases[0].equations[0]):
+            continue
+        before = without(branch, pending)
+        return [part for case in cases for part in _parts(before, case, search)]
+    return None
+
+
+def _parts(branch: Branch, case: Factor, search: Search) -> list[Branch]:
+    """The parts of a branch on which a factor vanishes.
+
+    A half-angle factor that cannot be solved has no single equation to go on with; it
+    is left open.
+    """
+    parts = restricted(branch, case.equations[0], case.equations[1:])
+    if len(case.equations) == 1 or not parts:
+        return parts
+    if len(parts[0].pending) > len(branch.pending):
+        search.unfinished.extend(parts)
+        return []
+    return parts
+
+
+def told_apart(branch: Branch, search: Search) -> Branch | None:
+    """The branch with what distinguishes it from other zeros of its conditions.
+
+    The last of several pending conditions may be a product where the others vanish:
+    where all its coefficients in one unknown vanish together, it says nothing about
+    that unknown.  Such a spurious part is excluded by a polynomial of the problem that
+    does not vanish there.  None where that could not be settled.
+    """
+    if len(branch.pending) < 2:
+        return branch
+    last = branch.pending[-1]
+    before = without(branch, last)
+    others = {u for p in before.pending for u in unknowns(branch.ring, p.value)}
+    own = [u for u in unknowns(branch.ring, last.value) if u not in others]
+    for unknown in sorted(own):
+        coefficients = coefficients_in(branch.ring, last.value, unknown)
+        inner = Search(search.library, budget=_SETTLING, largest=search.largest)
+        spurious = common_zeros(before, coefficients, inner)
+        if spurious.complete:
+            return _excluding(branch, spurious.branches, search)
+    return None
+
+
+def _excluding(branch: Branch, spurious: Sequence[Branch], search: Search) -> Branch:
+    """The branch with an equation that fails on each spurious part of its size."""
+    extra: list[Polynomial] = []
+    for part in spurious:
+        if part.codimension > branch.codimension or not part.points:
+            continue
+        tell = [p for p in search.problem if any(residue(p, *at) for at in part.points)]
+        if tell and not any(e in tell for e in extra):
+            extra.append(min(tell, key=len))
+    return replace(branch, extra=(*branch.extra, *extra))
+
+
 def _children(
     branch: Branch,
     case: Factor,
@@ -139,7 +231,7 @@ def _children(
     """
     condition, companions = case.equations[0], case.equations[1:]
     if companions:
-        return restricted(branch, condition, companions)
+        return _parts(branch, case, search)
     if branch.pending and not is_solvable(branch, condition):
         parts = split(branch, condition)
         if parts is not None:

@@ -26,7 +26,7 @@ def moved_onto(
     """Move the point onto all pending conditions, each along a generator of its own."""
     remaining = list(pending)
     while remaining:
-        others = [set(_used(ring, p)) for p in remaining]
+        others = [set(unknowns(ring, p)) for p in remaining]
         for position in range(len(remaining)):
             later = set().union(*others[:position], *others[position + 1 :])
             free = [u for u in others[position] if u not in later]
@@ -43,7 +43,11 @@ def moved_onto(
     return point
 
 
-def _used(ring: TrigonometricRing, polynomial: Polynomial) -> list[tuple[str, int]]:
+Unknown = tuple[str, int]  # ("angle", number of the basis angle) or ("x", index)
+
+
+def unknowns(ring: TrigonometricRing, polynomial: Polynomial) -> list[Unknown]:
+    """The symbols and basis angles that occur."""
     degrees = polynomial.degrees()
     used = [("x", i) for i in ring.symbol_indices() if degrees[i]]
     used += [
@@ -139,3 +143,19 @@ def root_in(
     if not roots:
         return None
     return int(source.choice(roots)[0])
+
+
+def coefficients_in(
+    ring: TrigonometricRing, polynomial: Polynomial, unknown: Unknown
+) -> list[Polynomial]:
+    """Coefficients of a polynomial in the generators of one unknown."""
+    kind, number = unknown
+    places = [number]
+    if kind == "angle":
+        places = [ring.sine_index(number), ring.cosine_index(number)]
+    parts: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
+    for exponents, coefficient in polynomial.to_dict().items():
+        rest = tuple(0 if i in places else e for i, e in enumerate(exponents))
+        key = tuple(int(exponents[place]) for place in places)
+        parts.setdefault(key, {})[rest] = coefficient
+    return [ring.context.from_dict(part) for part in parts.values()]

@@ -16,7 +16,12 @@ from dataclasses import dataclass, field, replace
 from itertools import product
 
 from screwkit.algebra.branches import Branch, restricted
-from screwkit.algebra.decomposition import Search, common_zeros, possible_factors
+from screwkit.algebra.decomposition import (
+    Search,
+    common_zeros,
+    irreducible_parts,
+    possible_factors,
+)
 from screwkit.algebra.minors import combined, minor_table
 from screwkit.algebra.points import rank_at
 from screwkit.algebra.trigonometric import Polynomial
@@ -187,9 +192,10 @@ def imposed(branch: Branch, equation: Polynomial, search: Search) -> list[Branch
     value = branch.value(equation)
     if value == 0:
         return [branch]
-    found = []
+    found: list[Branch] = []
     for case in possible_factors(branch, value, search.library):
-        found.extend(restricted(branch, case.equations[0], case.equations[1:]))
+        for part in restricted(branch, case.equations[0], case.equations[1:]):
+            found.extend(irreducible_parts(part, search))
     return found
 
 
@@ -239,7 +245,7 @@ def _is_like_another_sheet(branch: Branch, walk: _Walk) -> bool:
         [str(_up_to_sign(branch.column(column))) for column in limb]
         for limb in walk.limbs
     ]
-    signature = f"{conditions}{columns}{[str(p) for p in branch.pending]}"
+    signature = f"{conditions}{columns}{[str(p.value) for p in branch.pending]}"
     other = walk.signatures.setdefault(signature, branch)
     if other is branch:
         return False
