@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from screwkit.algebra.expression import Sum
+from screwkit.algebra.expression_building import negate
 from screwkit.algebra.parse import parse
 from screwkit.algebra.text import expression_text
 from screwkit.errors import ExpressionError
@@ -85,7 +87,7 @@ def _lists(claimed: list[Any], computed: list[Any]) -> bool | None:
     """Lists of components: every claimed one must be there; other lists: equal."""
     if all(isinstance(item, dict) for item in computed) and computed:
         found = [
-            {_canonical(e) for e in item.get("equations", ())} for item in computed
+            {_up_to_sign(e) for e in item.get("equations", ())} for item in computed
         ]
         values = [
             [_canonical(v) for v in solution["values"]]
@@ -94,7 +96,7 @@ def _lists(claimed: list[Any], computed: list[Any]) -> bool | None:
         ]
         if all(isinstance(item, str) for item in claimed):
             return [_canonical(item) for item in claimed] in values
-        return all({_canonical(e) for e in item} in found for item in claimed)
+        return all({_up_to_sign(e) for e in item} in found for item in claimed)
     return bool(
         [_canonical(str(v)) for v in claimed] == [_canonical(str(v)) for v in computed]
     )
@@ -105,3 +107,17 @@ def _canonical(text: str) -> str:
         return expression_text(parse(text))
     except ExpressionError:
         return text
+
+
+def _up_to_sign(text: str) -> str:
+    """The left side of an equation, the same for an expression and its negative."""
+    try:
+        expression = parse(text)
+    except ExpressionError:
+        return text
+    terms = expression.terms if isinstance(expression, Sum) else (expression,)
+    both = (
+        sorted(expression_text(term) for term in terms),
+        sorted(expression_text(negate(term)) for term in terms),
+    )
+    return " + ".join(min(both))

@@ -90,7 +90,9 @@ def analyze(
         except UndecidedError as error:
             answers[name] = Undecided(str(error))
         finished(name, answers[name])
-    documents = {name: part_to_json(answer) for name, answer in answers.items()}
+    documents = {
+        name: part_to_json(answer)["value"] for name, answer in answers.items()
+    }
     return Analysis(
         case=case.name,
         title=case.mechanism.title,

@@ -117,9 +117,14 @@ def limb_singularities(assembly: Assembly, limb: SerialLimb) -> LimbSingularitie
 def _proof(minors: int, rank: int, pieces: Sequence[Piece]) -> str:
     if not pieces:
         return f"of the {minors} minors of size {rank}, not all vanish at any posture"
+    subject = (
+        f"the one minor of size {rank} vanishes"
+        if minors == 1
+        else f"all {minors} minors of size {rank} vanish"
+    )
     return (
-        f"all {minors} minors of size {rank} vanish on each; every common zero lies on "
-        f"one of them, by exhaustive case distinction over the factors of the minors"
+        f"{subject} on each; every common zero lies on one of them, by exhaustive case "
+        f"distinction over the factors of the minors"
     )
 
 

@@ -147,6 +147,10 @@ def _inside_idle(
             skip=lambda b: any(lies_in(b, known) for known in moving),
         )
         zeros = common_zeros(branch, polynomials, search)
-        finished = finished and zeros.complete
-        found.extend(pieces_of(zeros.branches))
+        pieces = pieces_of(zeros.branches)
+        finished = finished and all(
+            any(lies_in(left, known) for known in (*moving, *pieces))
+            for left in zeros.open
+        )
+        found.extend(pieces)
     return found, finished

@@ -231,7 +231,13 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
     before = search.budget
     zeros = common_zeros(branch, polynomials, search)
     walk.effort -= 1 + before - search.budget
-    walk.keep(zeros.branches)
+    for found in zeros.branches:
+        there = loop_state(found, walk.limbs)
+        if there is not None and there.loop < walk.generic.loop:
+            walk.keep([found])
+        else:
+            # Not all conditions were expanded, so that too much seemed to vanish.
+            walk.open.append(found)
     walk.open.extend(zeros.open)
 
 

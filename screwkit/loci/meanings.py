@@ -21,6 +21,7 @@ from screwkit.loci.features import Axis, Features, Point, Statement, statements
 from screwkit.loci.pieces import Piece, pieces_of
 from screwkit.screw.vector import Vector, cross, subtract
 
+_GIVEN = "(given"
 _LARGEST = 400  # terms of a statement that is compared with a locus
 
 
@@ -75,11 +76,16 @@ class Meanings:
             branches = restricted(self._root, equation)
             if not branches or branches[0].is_special:
                 return None
-            sentence = self.of(Piece((equation,), tuple(branches)))
+            sentence = self._alone(Piece((equation,), tuple(branches)))
             if sentence is None:
                 return None
             sentences.append(sentence)
         return "; ".join(sentences)
+
+    def _alone(self, piece: Piece) -> str | None:
+        """A sentence without proviso: others of the equations may contradict it."""
+        sentence = self.of(piece)
+        return None if sentence is None or _GIVEN in sentence else sentence
 
     def _holding(self, branches: Sequence[Branch]) -> list[Statement]:
         points = [point for branch in branches[:2] for point in branch.points]
@@ -146,7 +152,7 @@ class Meanings:
             if len(others) < len(factors) and all(len(p) <= 2 for p in others):
                 ring = self._framed.ring
                 given = " and ".join(f"{equation_text(ring, p)} ≠ 0" for p in others)
-                return f"{statement.words} (given {given})"
+                return f"{statement.words} {_GIVEN} {given})"
         return None
 
     def _features_at(self, point: ExactPoint, prime: int) -> Features[Residue]:

@@ -47,7 +47,7 @@ def _gathered(group: Sequence[Branch]) -> list[Piece]:
     """Branches of the same conditions, sheets told apart only where it matters."""
     by_sheets = {frozenset(str(p) for p in b.sheets): b for b in group}
     classes = {sheets: {sheets} for sheets in by_sheets}
-    for first, second in _opposites(group):
+    for first, second in sorted(_opposites(group)):
         merged: dict[frozenset[str], set[frozenset[str]]] = {}
         pairs = [
             (key, frozenset(key - {first} | {second}))
