@@ -26,8 +26,9 @@ from screwkit.algebra.expression import (
     Symbol,
 )
 from screwkit.algebra.expression_building import add, call, multiply, power
+from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.names import SCALAR_FUNCTIONS, why_no_symbol
-from screwkit.algebra.parse import RESULT_LIMITS, parse
+from screwkit.algebra.parse import parse
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.errors import ExpressionError
 

@@ -159,7 +159,10 @@ def _refined(branch: Branch, search: Search) -> list[Branch] | None:
         if len(pending.value) > search.largest:
             continue
         cases = possible_factors(branch, pending.value, search.library)
-        same = len(cases) == 1 and cases[0].key == str(primitive(pending.value))
+        same = len(cases) == 1 and str(cases[0].equations[0]) in (
+            str(pending.value),
+            str(primitive(pending.value)),
+        )
         if same and not is_solvable(branch, cases[0].equations[0]):
             continue
         before = without(branch, pending)

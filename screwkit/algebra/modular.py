@@ -155,12 +155,15 @@ class ModularRing:
         return root ** (kept // order)
 
 
-def prime_for(turn: int, radicands: Sequence[Fraction], seed: int) -> int:
+def prime_for(
+    turn: int, radicands: Sequence[Fraction], seed: int, bits: int = 61
+) -> int:
     """A random prime in which cos(kπ/turn) and the roots of these rationals exist."""
     source = random.Random(seed)
     step = 16 * turn
     while True:
-        prime = source.randrange(2**60 // step, LARGEST // step) * step + 1
+        number = source.randrange(2 ** (bits - 1) // step, 2**bits // step)
+        prime = number * step + 1
         if fmpz(prime).is_prime() and all(
             pow(r.numerator * r.denominator % prime, (prime - 1) // 2, prime) <= 1
             for r in radicands

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Final, TypeAlias, cast
 
@@ -18,7 +17,6 @@ from screwkit.algebra.expression import (
     FunctionName,
     Number,
     Pi,
-    Power,
     Product,
     Sum,
     Symbol,
@@ -31,6 +29,13 @@ from screwkit.algebra.expression_building import (
     negate,
     power,
     quotient,
+)
+from screwkit.algebra.limits import (
+    FILE_LIMITS,
+    Limits,
+    bits,
+    leaves,
+    stacked,
 )
 from screwkit.algebra.names import (
     RESERVED,
@@ -53,33 +58,6 @@ from screwkit.errors import ExpressionError
 
 _Value: TypeAlias = Expression | VectorExpression
 _FUNCTIONS: Final = SCALAR_FUNCTIONS | VECTOR_FUNCTIONS
-
-
-@dataclass(frozen=True)
-class Limits:
-    """How large a text and what it folds to may be.
-
-    Attributes:
-        length: Characters.
-        depth: Nested parentheses, calls, powers and signs.
-        digits: Digits of a number; a decimal exponent may shift it by as many.
-        exponent: Exponents, stacked ones multiplied.
-        bits: Bits of the numerator and of the denominator of a folded constant.
-        leaves: Size of what vectors combine to, in numbers and symbols.
-    """
-
-    length: int = 2_000
-    depth: int = 60
-    digits: int = 40
-    exponent: int = 64
-    bits: int = 1_024
-    leaves: int = 20_000
-
-
-FILE_LIMITS: Final = Limits()
-"""For text that a person wrote."""
-RESULT_LIMITS: Final = Limits(length=1_000_000, digits=400, bits=16_384)
-"""For text that the engine wrote and that is read back."""
 
 
 def parse(
@@ -290,7 +268,7 @@ class _Reader:
                 node.right, "an exponent is an integer; for roots write sqrt(x)"
             )
         size = exponent.value.numerator
-        if _stacked(base) * abs(size) > self._limits.exponent:
+        if stacked(base) * abs(size) > self._limits.exponent:
             raise self._error(
                 node.right,
                 f"exponents, stacked ones multiplied, go up to {self._limits.exponent}",
@@ -298,7 +276,7 @@ class _Reader:
         if isinstance(base, Number):
             if size < 0:
                 self._inverse(node.left, base)
-            if _bits(base.value) * abs(size) > 2 * self._limits.bits:
+            if bits(base.value) * abs(size) > 2 * self._limits.bits:
                 raise self._too_many_bits(node)
         return self._guarded(node, power(base, size))
 
@@ -318,7 +296,7 @@ class _Reader:
             left, right = _vectors(values)
             if name == "dot":
                 product = dot(left, right)
-                self._check_size(node, _leaves(product))
+                self._check_size(node, leaves(product))
                 return self._guarded(node, product)
             return self._guarded_vector(node, cross(left, right))
         if any(isinstance(value, tuple) for value in values):
@@ -354,7 +332,7 @@ class _Reader:
     def _guarded(self, node: ast.expr, value: Expression) -> Expression:
         parts = children(value) if isinstance(value, Sum | Product) else (value,)
         for part in parts:
-            if isinstance(part, Number) and _bits(part.value) > self._limits.bits:
+            if isinstance(part, Number) and bits(part.value) > self._limits.bits:
                 raise self._too_many_bits(node)
         return value
 
@@ -363,7 +341,7 @@ class _Reader:
     ) -> VectorExpression:
         for coordinate in value:
             self._guarded(node, coordinate)
-        self._check_size(node, sum(_leaves(coordinate) for coordinate in value))
+        self._check_size(node, sum(leaves(coordinate) for coordinate in value))
         return value
 
     def _check_size(self, node: ast.expr, leaves: int) -> None:
@@ -413,22 +391,5 @@ def _scalars(values: list[_Value]) -> list[Expression]:
     return [value for value in values if not isinstance(value, tuple)]
 
 
-def _bits(value: Fraction) -> int:
-    return max(value.numerator.bit_length(), value.denominator.bit_length())
-
-
 def _counted(arity: int) -> str:
     return "one argument" if arity == 1 else f"{arity} arguments"
-
-
-def _stacked(expression: Expression) -> int:
-    """The largest product of exponents on a way down."""
-    own = expression.exponent if isinstance(expression, Power) else 1
-    return abs(own) * max(
-        (_stacked(child) for child in children(expression)), default=1
-    )
-
-
-def _leaves(expression: Expression) -> int:
-    below = children(expression)
-    return sum(map(_leaves, below)) if below else 1

@@ -13,7 +13,8 @@ from weakref import WeakKeyDictionary
 
 from screwkit.algebra.angles import Form, Merged, merged, natural
 from screwkit.algebra.expression import Expression
-from screwkit.algebra.parse import RESULT_LIMITS, parse
+from screwkit.algebra.limits import RESULT_LIMITS
+from screwkit.algebra.parse import parse
 from screwkit.algebra.text import expression_text
 from screwkit.algebra.trigonometric import (
     Polynomial,

@@ -140,7 +140,9 @@ class Assembly:
     def _chains(self) -> tuple[str, ...]:
         return tuple(name for limb in self.limbs for name in limb.chain)
 
-    def random_twists(self, seed: int) -> tuple[dict[str, list[int]], int]:
+    def random_twists(
+        self, seed: int, bits: int = 61
+    ) -> tuple[dict[str, list[int]], int]:
         """The twists of all limbs at a random exact posture, and the prime.
 
         Independent of the polynomials: the kinematics is run over residues.
@@ -150,7 +152,7 @@ class Assembly:
         if seen.turn:
             radicands += [Fraction(2), Fraction(3)]
         for attempt in range(200):
-            prime = prime_for(seen.turn, radicands, seed + 1000 * attempt)
+            prime = prime_for(seen.turn, radicands, seed + 1000 * attempt, bits)
             ring = ModularRing(seed + attempt, prime)
             try:
                 twists = joint_twists(

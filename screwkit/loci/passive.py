@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 
+from screwkit.algebra.batched_ranks import BITS, batched_ranks
 from screwkit.algebra.minors import MinorTable, combined, joined, minor_table
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import Point, residue
@@ -64,6 +65,10 @@ class RankTable:
                     before, after = 6 * (number - 1), 6 * (loops - number)
                     self._rows[joint] = [0] * before + values + [0] * after
 
+    def row(self, joint: str) -> list[int]:
+        """A column of the loop constraint matrix."""
+        return self._rows[joint]
+
     def loop_rank(self, joints: Collection[str]) -> int:
         """Rank of these columns of the loop constraint matrix."""
         if len(self._limbs) < 2:
@@ -112,6 +117,33 @@ class PassiveSystem:
         return PassiveState(
             tuple(map(max, one.limbs, two.limbs)), max(one.loop, two.loop), one.passive
         )
+
+    @cached_property
+    def _small(self) -> tuple[dict[str, int], list[list[int]], int]:
+        """Rows of the loop constraint matrix modulo a 31-bit prime, by joint."""
+        twists, prime = self.assembly.random_twists(3, BITS)
+        table = RankTable(
+            [{j: twists[j] for j in limb.joints} for limb in self.assembly.limbs], prime
+        )
+        order = {joint: number for number, joint in enumerate(self.joints)}
+        return order, [table.row(joint) for joint in self.joints], prime
+
+    def generic_loop_ranks(self, choices: Sequence[Collection[str]]) -> list[int]:
+        """Generic ranks of the loop constraint matrix for many choices of columns.
+
+        All choices are of one size and are taken at once modulo a 31-bit prime, where
+        full rank is proof; those that come out deficient are confirmed at two random
+        postures modulo 61-bit primes.
+        """
+        order, rows, prime = self._small
+        numbers = [[order[joint] for joint in choice] for choice in choices]
+        found = batched_ranks(rows, numbers, prime).tolist()
+        full = min(len(numbers[0]), len(rows[0]))
+        for position, value in enumerate(found):
+            if value < full:
+                joints = choices[position]
+                found[position] = max(t.loop_rank(joints) for t in self.generic)
+        return [int(value) for value in found]
 
     def table_at(self, point: Point, prime: int) -> RankTable:
         """Ranks at an exact point of the common frame's ring."""

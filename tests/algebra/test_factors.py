@@ -14,8 +14,9 @@ from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.expression import ZERO
 from screwkit.algebra.factors import Factored, FactorLibrary, factor
 from screwkit.algebra.half_angle import HalfAngles
+from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.minors import minor_table
-from screwkit.algebra.parse import RESULT_LIMITS, parse
+from screwkit.algebra.parse import parse
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.survey import SurveyRing

@@ -19,7 +19,8 @@ from screwkit.algebra.expression import (
     Sum,
     Symbol,
 )
-from screwkit.algebra.parse import RESULT_LIMITS, parse, parse_vector
+from screwkit.algebra.limits import RESULT_LIMITS
+from screwkit.algebra.parse import parse, parse_vector
 from screwkit.algebra.vector_expression import VectorExpression
 from screwkit.errors import ExpressionError
 

@@ -30,7 +30,8 @@ from screwkit.algebra.expression_building import (
     substitute,
     symbols_of,
 )
-from screwkit.algebra.parse import RESULT_LIMITS, parse
+from screwkit.algebra.limits import RESULT_LIMITS
+from screwkit.algebra.parse import parse
 from screwkit.algebra.text import expression_text
 
 x, y = Symbol("x"), Symbol("y")

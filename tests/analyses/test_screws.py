@@ -13,10 +13,16 @@ import pytest
 import screwkit as sk
 from screwkit.algebra.batch import BatchRing
 from screwkit.algebra.evaluation import evaluate
-from screwkit.algebra.parse import RESULT_LIMITS, parse
+from screwkit.algebra.limits import RESULT_LIMITS
+from screwkit.algebra.parse import parse
 from screwkit.case import bundled_cases
 from screwkit.questions import screws
-from screwkit.results.screws import IdentifiedScrew, Screws
+from screwkit.results.screws import (
+    IdentifiedScrew,
+    LimbScrews,
+    PlatformScrews,
+    Screws,
+)
 
 REFERENCE = Path(__file__).parents[1] / "reference" / "nao_screws.json"
 DIMENSIONS = {  # twists of the limbs; platform
@@ -97,7 +103,8 @@ def test_systems_agree_with_null_spaces_by_singular_values(
     answer = answers[name]
     for seed in (1, 2):
         at = posture(name, seed)
-        for system in (*answer.limbs, answer.platform):
+        systems: list[LimbScrews | PlatformScrews] = [*answer.limbs, answer.platform]
+        for system in systems:
             twists, wrenches = matrix(system.twists, at), matrix(system.wrenches, at)
             assert rank(twists) == system.twist_dimension
             assert rank(wrenches) == len(system.wrenches) == system.wrench_dimension
@@ -222,7 +229,8 @@ def test_nao_platform_translates_normal_to_both_forces(nao: Screws) -> None:
 
 @pytest.fixture(scope="module")
 def published() -> dict[str, dict[str, list[str]]]:
-    return json.loads(REFERENCE.read_text())
+    found: dict[str, dict[str, list[str]]] = json.loads(REFERENCE.read_text())
+    return found
 
 
 @pytest.fixture(scope="module")

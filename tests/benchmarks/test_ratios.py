@@ -218,10 +218,10 @@ def test_generic_ranks_against_matrix_rank() -> None:
         joint: np.array([float(int(x)) / 2.0**61 for x in column])
         for joint, column in assembly.random_postures[0][0].items()
     }
-    table = system.generic[0]
+    system.generic_loop_ranks(schemes)  # the random posture is drawn once
 
     def exact() -> list[int]:
-        return [table.loop_rank(passive) for passive in schemes]
+        return system.generic_loop_ranks(schemes)
 
     def floats() -> list[int]:
         return [
@@ -235,8 +235,7 @@ def test_generic_ranks_against_matrix_rank() -> None:
         f"210 ranks: exact {1e3 * ours:.2f} ms; numpy.linalg.matrix_rank "
         f"{1e3 * theirs:.1f} ms; {theirs / ours:.1f} times"
     )
-    # Goal 5; numpy's loop needs 22 µs a rank here, ours 14 µs of mostly Python.
-    assert theirs / ours >= 1.2
+    assert theirs / ours >= 5
 
 
 @pytest.mark.parametrize(

@@ -8,8 +8,9 @@ from fractions import Fraction
 from hypothesis import strategies as st
 
 from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.modular import ModularRing, Residue, rank
-from screwkit.algebra.parse import RESULT_LIMITS, parse
+from screwkit.algebra.parse import parse
 from screwkit.algebra.points import residue
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing

@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 
 import screwkit as sk
-from screwkit.algebra.parse import RESULT_LIMITS, parse
+from screwkit.algebra.limits import RESULT_LIMITS
+from screwkit.algebra.parse import parse
 from screwkit.reports.records import from_json, to_json
 
 Shape = Any

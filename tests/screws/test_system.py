@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import pickle
+from typing import Any
 
 import numpy as np
 import pytest
 import sympy
 
 import screwkit as sk
-from screwkit.algebra.parse import RESULT_LIMITS, parse
+from screwkit.algebra.limits import RESULT_LIMITS
+from screwkit.algebra.parse import parse
 from screwkit.case import Case, bundled_cases
 from screwkit.errors import FrameMismatchError, UnknownNameError
 from screwkit.screw.displacement import Displacement
@@ -76,9 +78,9 @@ def test_single_screws(nao: Case) -> None:
 def test_twists_and_wrenches_are_not_added(nao: Case) -> None:
     arm = nao.limbs[0]
     with pytest.raises(TypeError):
-        arm.twists + arm.wrenches
+        arm.twists + arm.wrenches  # type: ignore[operator]
     with pytest.raises(TypeError):
-        arm.twists & arm.wrenches
+        arm.twists & arm.wrenches  # type: ignore[operator]
     assert arm.twists != arm.wrenches
 
 
@@ -149,7 +151,8 @@ def test_numpy_functions_take_values_beforehand(nao: Case) -> None:
     whole = nao.limbs[0].twists.lambdify()
     part = nao.limbs[0].twists.lambdify(fixed)
     angles = {name: v for name, v in values.items() if name not in fixed}
-    assert np.array_equal(part(**angles), whole(**{**values, **fixed}))
+    every: dict[str, Any] = {**values, **fixed}
+    assert np.array_equal(part(**angles), whole(**every))
     with pytest.raises(UnknownNameError):
         whole(**angles)
     assert np.array_equal(pickle.loads(pickle.dumps(part))(**angles), part(**angles))
