@@ -14,6 +14,7 @@ from math import comb
 
 from screwkit.algebra.branches import restricted
 from screwkit.algebra.factors import Factor, Factored, factor
+from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.trigonometric import primitive
 from screwkit.errors import TooLargeError, UnknownNameError
@@ -34,6 +35,7 @@ from screwkit.results.schemes import (
     Schemes,
 )
 
+_NAMED = 80  # terms; no statement of the catalogue is longer
 _REPORT = 50  # schemes between two words of progress
 LARGEST = 20_000  # schemes; beyond, candidates have to be named
 
@@ -156,7 +158,13 @@ class _Work:
         return equation_text(self.ring, primitive(square))
 
     def is_idle(self, f: Factor, passive: Sequence[str]) -> bool:
-        """Whether the platform stays fixed on the factor: only limbs move."""
+        """Whether the platform stays fixed on the factor: only limbs move.
+
+        Then one limb's passive twists are dependent, which is a condition on that
+        limb's joints alone.
+        """
+        if len(self._limbs_in(f)) > 1:
+            return False
         if f.key not in self.tables:
             branches = restricted(self.root, f.equations[0], f.equations[1:])
             self.tables[f.key] = [
@@ -169,16 +177,35 @@ class _Work:
             table.state(passive).platform_freedom == 0 for table in tables
         )
 
+    def _limbs_in(self, f: Factor) -> set[int]:
+        """Numbers of the limbs whose joint variables occur in a factor."""
+        ring = self.ring
+        names: set[str] = set()
+        for equation in f.equations:
+            for kind, number in unknowns(ring, equation):
+                if kind == "x":
+                    names.add(ring.symbols[number - ring.symbol_indices()[0]])
+                else:
+                    names.update(name for name, _ in ring.basis[number])
+        mechanism = self.assembly.mechanism
+        return {
+            number
+            for number, limb in enumerate(self.assembly.limbs)
+            if any(names & set(mechanism.joint(j).variables) for j in limb.joints)
+        }
+
     def factors(self) -> tuple[LocusFactor, ...]:
         """Every factor that occurred, with its meaning."""
         meanings = Meanings(self.assembly.common_twists, self.root, self.library)
         found = []
         for key, count in self.counts.most_common():
             f = self.seen[key]
-            branches = tuple(restricted(self.root, f.equations[0], f.equations[1:]))
-            piece = Piece(f.equations, branches)
-            meaning = meanings.of(piece) if branches else None
             terms = len(f.equations[0])
+            meaning = None
+            if terms <= _NAMED:
+                branches = restricted(self.root, f.equations[0], f.equations[1:])
+                piece = Piece(f.equations, tuple(branches))
+                meaning = meanings.of(piece) if branches else None
             found.append(LocusFactor(self.text(f), meaning, terms, count))
         return tuple(sorted(found, key=lambda f: (f.terms, f.equation)))
 
