@@ -132,8 +132,8 @@ class PassiveSystem:
         """Generic ranks of the loop constraint matrix for many choices of columns.
 
         All choices are of one size and are taken at once modulo a 31-bit prime, where
-        full rank is proof; those that come out deficient are confirmed at two random
-        postures modulo 61-bit primes.
+        full rank is proof; those that come out deficient are confirmed at another random
+        posture modulo a 61-bit prime.
         """
         order, rows, prime = self._small
         numbers = [[order[joint] for joint in choice] for choice in choices]
@@ -142,7 +142,7 @@ class PassiveSystem:
         for position, value in enumerate(found):
             if value < full:
                 joints = choices[position]
-                found[position] = max(t.loop_rank(joints) for t in self.generic)
+                found[position] = max(value, self.generic[0].loop_rank(joints))
         return [int(value) for value in found]
 
     def table_at(self, point: Point, prime: int) -> RankTable:
