@@ -17,6 +17,8 @@ from screwkit.algebra.points import residue
 from screwkit.algebra.restrictions import Layout, Probe, Restrictions
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
+_SHORT = 12  # terms; factored as they stand before anything else
+
 
 @dataclass(frozen=True)
 class Factor:
@@ -115,7 +117,7 @@ class FactorLibrary:
     def factored(self, polynomial: Polynomial) -> list[tuple[Factor, int]]:
         """The factors of a primitive polynomial in normal form, without constants."""
         known = None
-        if not self.is_extended(polynomial):
+        if len(polynomial) > _SHORT and not self.is_extended(polynomial):
             known = self._probe.restrictions(polynomial)
         if known is None:
             return self.paired(self.split(polynomial))
@@ -224,6 +226,16 @@ class FactorLibrary:
                     break
         return found, polynomial, known
 
+    def _each(
+        self, pieces: Sequence[tuple[Polynomial, int]]
+    ) -> list[tuple[Factor, int]]:
+        """What FLINT found, each piece split further."""
+        return collected(
+            (factor, n * int(m))
+            for piece, m in pieces
+            for factor, n in self.split(primitive(piece))
+        )
+
     def _split(
         self, polynomial: Polynomial, known: Restrictions | None
     ) -> list[tuple[Factor, int]]:
@@ -231,19 +243,19 @@ class FactorLibrary:
         if number != 1:
             rest = self.split(primitive(polynomial / number), known)
             return collected([*self.split(number), *rest])
+        short = len(polynomial) <= _SHORT
+        pieces = polynomial.factor()[1] if short else []
+        if len(pieces) > 1 or (pieces and pieces[0][1] > 1):
+            return self._each(pieces)
         found = shape(self._layout, polynomial, 1, self._probe, known)
         if found.irreducible:
             return [(self.irreducible(polynomial, True, known), 1)]
         parts = self._parted(polynomial, found)
         if parts is not None:
             return parts
-        pieces = polynomial.factor()[1]
+        pieces = pieces or polynomial.factor()[1]
         if len(pieces) > 1 or pieces[0][1] > 1:
-            return collected(
-                (factor, n * int(m))
-                for piece, m in pieces
-                for factor, n in self.split(primitive(piece))
-            )
+            return self._each(pieces)
         if found.settled:
             return [(self.irreducible(polynomial), 1)]
         whole = self._halved_once(polynomial)

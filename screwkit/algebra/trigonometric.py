@@ -88,6 +88,7 @@ class TrigonometricRing:
         gens = dict(zip(names, self.context.gens(), strict=False))
         self._gens = gens
         self._zero = self.context.constant(0)
+        self._turns: dict[Fraction, tuple[Polynomial, Polynomial]] = {}
         self._one = self.context.constant(1)
         self.sines = tuple(gens[f"s{i}"] for i in range(count))
         self.cosines = tuple(gens[f"c{i}"] for i in range(count))
@@ -165,10 +166,12 @@ class TrigonometricRing:
 
     def half_turns(self, count: Fraction) -> tuple[Polynomial, Polynomial]:
         """(cos, sin) of ``count``·π, exact."""
-        return (
-            self._algebraic(self._constants.cosine(count)),
-            self._algebraic(self._constants.cosine(Fraction(1, 2) - count)),
-        )
+        if count not in self._turns:
+            self._turns[count] = (
+                self._algebraic(self._constants.cosine(count)),
+                self._algebraic(self._constants.cosine(Fraction(1, 2) - count)),
+            )
+        return self._turns[count]
 
     def radians(self, value: Fraction) -> tuple[Polynomial, Polynomial]:
         """(cos, sin) of a rational angle: transcendental, hence a generator."""

@@ -91,7 +91,8 @@ def framed_twists(
     basis = plain_basis(tuple(seen.angles))
     if merged:
         basis = parallel_basis(mechanism, joints, origin, plain)
-    ring = TrigonometricRing(seen, basis) if merged else plain
+    same = basis == plain_basis(tuple(seen.angles))
+    ring = plain if same else TrigonometricRing(seen, basis)
     twists = joint_twists(mechanism, ring, origin, joints)
     ordered = [name for name in joints if name in twists]
     return FramedTwists(

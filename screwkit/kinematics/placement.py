@@ -19,7 +19,7 @@ from screwkit.algebra.ring import Ring, S
 from screwkit.errors import UndecidedError
 from screwkit.mechanism.model import Joint, JointType, MdhRow, Mechanism
 from screwkit.screw import vector
-from screwkit.screw.displacement import Displacement, screw_about
+from screwkit.screw.displacement import Displacement
 from screwkit.screw.vector import Vector
 
 
@@ -59,10 +59,27 @@ def parent_from_joint(joint: Joint, row: MdhRow, ring: Ring[S]) -> Displacement[
         theta = add_angles(theta, moved, ring)
     elif joint.type is JointType.PRISMATIC:
         r = r + evaluate(joint.offsets[0], ring) + ring.symbol(joint.variables[0])
-    first = screw_about(2, cosine_sine(row.gamma, ring), evaluate(row.b, ring), ring)
-    second = screw_about(0, cosine_sine(row.alpha, ring), evaluate(row.d, ring), ring)
-    last = screw_about(2, theta, ring.normal(r), ring)
-    return first.then(second, ring).then(last, ring)
+    return _table_displacement(row, theta, ring.normal(r), ring)
+
+
+def _table_displacement(
+    row: MdhRow, theta: tuple[S, S], r: S, ring: Ring[S]
+) -> Displacement[S]:
+    """rot_z(γ) trans_z(b) rot_x(α) trans_x(d) rot_z(θ) trans_z(r), multiplied out."""
+    cg, sg = cosine_sine(row.gamma, ring)
+    ca, sa = cosine_sine(row.alpha, ring)
+    ct, st = theta
+    b, d = evaluate(row.b, ring), evaluate(row.d, ring)
+    sgca, cgca = sg * ca, cg * ca
+    x = (sg * sa, -(cg * sa), ca)
+    rotation = (
+        (cg * ct - sgca * st, -(cg * st) - sgca * ct, x[0]),
+        (sg * ct + cgca * st, cgca * ct - sg * st, x[1]),
+        (sa * st, sa * ct, x[2]),
+    )
+    translation = (d * cg + r * x[0], d * sg + r * x[1], b + r * x[2])
+    first, second, third = (vector.normal(ring, line) for line in rotation)
+    return Displacement((first, second, third), vector.normal(ring, translation))
 
 
 def placed_links(

@@ -132,8 +132,8 @@ class PassiveSystem:
         """Generic ranks of the loop constraint matrix for many choices of columns.
 
         All choices are of one size and are taken at once modulo a 31-bit prime, where
-        full rank is proof; those that come out deficient are confirmed at another random
-        posture modulo a 61-bit prime.
+        full rank is proof; those that come out deficient are confirmed at another
+        random posture modulo a 61-bit prime.
         """
         order, rows, prime = self._small
         numbers = [[order[joint] for joint in choice] for choice in choices]
