@@ -51,7 +51,10 @@ def schemes_blocks(answer: Schemes, *, shown: int | None = SHOWN) -> tuple[Block
 def summary(answer: Schemes) -> Text:
     """The counts in one sentence."""
     spans: list[Span] = [
-        Words(f"{answer.total} ways to actuate {counted(answer.size, 'freedom')}: "),
+        Words(
+            f"{answer.total} way{'' if answer.total == 1 else 's'} to actuate "
+            f"{counted(answer.size, 'freedom')}: "
+        ),
         Strong(f"{answer.admissible} admissible"),
     ]
     if answer.balanced is not None and answer.balanced.total != answer.total:
