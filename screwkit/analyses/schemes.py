@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import combinations
 from math import comb
@@ -22,7 +22,7 @@ from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.mirror import mirrored_joints
 from screwkit.loci.actuation import passive_joints
 from screwkit.loci.meanings import Meanings
-from screwkit.loci.passive import PassiveSystem, RankTable
+from screwkit.loci.passive import PassiveState, PassiveSystem, RankTable
 from screwkit.loci.pieces import Piece
 from screwkit.loci.witness import witness
 from screwkit.progress import Progress, silent
@@ -72,12 +72,19 @@ def schemes(
         )
     work = _Work(assembly, system)
     progress("schemes", f"{total} schemes of {number} joints")
+    wanted_schemes = [
+        actuated
+        for actuated in combinations(chosen, number)
+        if not balanced or _is_balanced(assembly, actuated)
+    ]
+    states = system.generic_states(
+        [passive_joints(assembly, actuated) for actuated in wanted_schemes]
+    )
     listed = []
-    for count, actuated in enumerate(combinations(chosen, number)):
+    for count, (actuated, state) in enumerate(zip(wanted_schemes, states, strict=True)):
         if count and count % _REPORT == 0:
-            progress("schemes", f"{count} of {total} schemes")
-        if not balanced or _is_balanced(assembly, actuated):
-            listed.append(_scheme(work, actuated))
+            progress("schemes", f"{count} of {len(wanted_schemes)} schemes")
+        listed.append(_scheme(work, actuated, state))
     progress("meanings", f"{len(work.counts)} factors")
     pairs = mirrored_joints(assembly)
     listed = [_with_mirror(scheme, pairs) for scheme in listed]
@@ -222,10 +229,9 @@ def _candidates(
     return tuple(joint for joint in assembly.joints if joint in set(candidates))
 
 
-def _scheme(work: _Work, actuated: tuple[str, ...]) -> Scheme:
+def _scheme(work: _Work, actuated: tuple[str, ...], state: PassiveState) -> Scheme:
     assembly = work.assembly
     passive = passive_joints(assembly, actuated)
-    state = work.system.generic_state(passive)
     rank = 6 - state.platform_freedom
     balanced = _is_balanced(assembly, actuated)
     if state.platform_freedom:
@@ -281,8 +287,6 @@ def _with_mirror(scheme: Scheme, pairs: Sequence[tuple[str, str]]) -> Scheme:
     other = _mirror_map(pairs)
     order = list(other)
     image = sorted((other[name] for name in scheme.actuated), key=order.index)
-    from dataclasses import replace  # noqa: PLC0415
-
     return replace(scheme, mirror=tuple(image))
 
 

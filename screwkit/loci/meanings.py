@@ -158,21 +158,27 @@ class Meanings:
     def _features_at(self, point: ExactPoint, prime: int) -> Features[Residue]:
         key = (*point, prime)
         if key not in self._at:
-            exact = self.features
-
-            def at(vector: Vector[Polynomial]) -> Vector[Residue]:
-                x, y, z = (Residue(residue(v, point, prime), prime) for v in vector)
-                return x, y, z
-
-            self._at[key] = Features(
-                tuple(
-                    Axis(a.joint, a.limb, at(a.direction), a.point and at(a.point))
-                    for a in exact.axes
-                ),
-                tuple(Point(p.joints, p.own, at(p.position)) for p in exact.points),
-                exact.planes,
-            )
+            self._at[key] = features_at(self.features, point, prime)
         return self._at[key]
+
+
+def features_at(
+    exact: Features[Polynomial], point: ExactPoint, prime: int
+) -> Features[Residue]:
+    """The features at an exact point."""
+
+    def at(vector: Vector[Polynomial]) -> Vector[Residue]:
+        x, y, z = (Residue(residue(v, point, prime), prime) for v in vector)
+        return x, y, z
+
+    return Features(
+        tuple(
+            Axis(a.joint, a.limb, at(a.direction), a.point and at(a.point))
+            for a in exact.axes
+        ),
+        tuple(Point(p.joints, p.own, at(p.position)) for p in exact.points),
+        exact.planes,
+    )
 
 
 class Residue:

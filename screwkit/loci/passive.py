@@ -78,6 +78,12 @@ class RankTable:
 
     def state(self, joints: Collection[str]) -> PassiveState:
         """What can move when only these joints can."""
+        return PassiveState(
+            self.limb_ranks(joints), self.loop_rank(joints), len(joints)
+        )
+
+    def limb_ranks(self, joints: Collection[str]) -> tuple[int, ...]:
+        """Rank of these joints' twists in each limb; computed once per choice."""
         ranks = []
         for number, limb in enumerate(self._limbs):
             chosen = frozenset(joint for joint in limb if joint in joints)
@@ -86,7 +92,7 @@ class RankTable:
                 rows = [[int(x) for x in limb[joint]] for joint in chosen]
                 self._limb_ranks[key] = self._rank(rows)
             ranks.append(self._limb_ranks[key])
-        return PassiveState(tuple(ranks), self.loop_rank(joints), len(joints))
+        return tuple(ranks)
 
     def _rank(self, rows: Sequence[Sequence[int]]) -> int:
         return rank(rows, self._prime)
@@ -118,6 +124,20 @@ class PassiveSystem:
             tuple(map(max, one.limbs, two.limbs)), max(one.loop, two.loop), one.passive
         )
 
+    def generic_states(self, choices: Sequence[Collection[str]]) -> list[PassiveState]:
+        """`generic_state` of many choices of one size, their loop ranks at once."""
+        one, two = self.generic
+        return [
+            PassiveState(
+                tuple(map(max, one.limb_ranks(choice), two.limb_ranks(choice))),
+                loop,
+                len(choice),
+            )
+            for choice, loop in zip(
+                choices, self.generic_loop_ranks(choices), strict=True
+            )
+        ]
+
     @cached_property
     def _small(self) -> tuple[dict[str, int], list[list[int]], int]:
         """Rows of the loop constraint matrix modulo a 31-bit prime, by joint."""
@@ -135,6 +155,8 @@ class PassiveSystem:
         full rank is proof; those that come out deficient are confirmed at another
         random posture modulo a 61-bit prime.
         """
+        if not choices or not choices[0] or len(self.assembly.limbs) < 2:
+            return [0] * len(choices)
         order, rows, prime = self._small
         numbers = [[order[joint] for joint in choice] for choice in choices]
         found = batched_ranks(rows, numbers, prime).tolist()

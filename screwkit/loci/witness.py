@@ -15,8 +15,8 @@ from screwkit.algebra.points import residue
 from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.subspaces import PlatformSystem
-from screwkit.loci.features import Features, listed
-from screwkit.loci.meanings import Residue, features_of
+from screwkit.loci.features import listed
+from screwkit.loci.meanings import Residue, features_at, features_of
 from screwkit.loci.passive import PassiveSystem
 from screwkit.screw.vector import cross, dot, subtract
 
@@ -93,7 +93,7 @@ def _motion(
         return "the platform can translate: every wrench is normal to that direction"
     if dot(omega, v).value:
         return "the platform keeps one screw motion, reciprocal to every wrench"
-    features = exact_features(assembly, point, prime)
+    features = features_at(features_of(framed), point, prime)
     through = [
         p.name
         for p in features.points
@@ -124,30 +124,3 @@ def _motion(
             f"meets it"
         )
     return "the platform can turn about a line that every wrench meets"
-
-
-def exact_features(
-    assembly: Assembly, point: ExactPoint, prime: int
-) -> Features[Residue]:
-    """The features of the common frame at an exact point."""
-    exact = features_of(assembly.common_twists)
-
-    def at(vector: Sequence[object]) -> tuple[Residue, Residue, Residue]:
-        x, y, z = (Residue(residue(v, point, prime), prime) for v in vector)
-        return x, y, z
-
-    from screwkit.loci.features import Axis, Point  # noqa: PLC0415
-
-    return Features(
-        tuple(
-            Axis(
-                a.joint,
-                a.limb,
-                at(a.direction),
-                None if a.point is None else at(a.point),
-            )
-            for a in exact.axes
-        ),
-        tuple(Point(p.joints, p.own, at(p.position)) for p in exact.points),
-        exact.planes,
-    )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.factors import Factor
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.solve import Solved, solutions
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
@@ -65,6 +66,4 @@ def solution_text(solved: Solved | Solution) -> str:
 def _solved(
     ring: TrigonometricRing, equation: Polynomial, assumptions: Assumptions
 ) -> tuple[Solved, ...]:
-    from screwkit.algebra.factors import Factor  # noqa: PLC0415
-
     return solutions(ring, Factor(str(equation), (equation,)), assumptions)
