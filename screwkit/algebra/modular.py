@@ -15,11 +15,14 @@ from typing import Any, TypeAlias
 
 from flint import fmpz, nmod, nmod_mat, nmod_poly
 
+from screwkit.algebra.constants import Combination, ConstantField
 from screwkit.algebra.expression import Expression
+from screwkit.algebra.rational_values import rational_value
 
 Residue: TypeAlias = Any  # flint.nmod, which has no type stubs
 
 LARGEST = 2**61 - 1
+_USUAL = ConstantField.needed_by([], 12)
 
 
 class ResampleError(Exception):
@@ -39,16 +42,25 @@ class ModularRing:
 
     Attributes:
         prime: The modulus.
+        constants: The field of the geometry's constants: one root mod p is chosen for
+            each of its generators, so that √3, √12 and cos(π/6) agree.
     """
 
-    def __init__(self, seed: int = 0, prime: int = LARGEST) -> None:
+    def __init__(
+        self,
+        seed: int = 0,
+        prime: int = LARGEST,
+        constants: ConstantField | None = None,
+    ) -> None:
         self.prime = prime
+        self.constants = constants or _USUAL
         self._source = random.Random(seed)
         self._symbols: dict[str, Residue] = {}
         self._angles: dict[str, tuple[Residue, Residue]] = {}
         self._roots: dict[Expression, Residue] = {}
         self._zero, self._one = nmod(0, prime), nmod(1, prime)
-        self._circle: tuple[int, tuple[Residue, Residue]] | None = None
+        self._generators: dict[str, Residue] = {}
+        self._turns: dict[Fraction, tuple[Residue, Residue]] = {}
 
     @property
     def zero(self) -> Residue:
@@ -77,18 +89,17 @@ class ModularRing:
         return self._angles[angle]
 
     def half_turns(self, count: Fraction) -> tuple[Residue, Residue]:
-        """(cos, sin) of a multiple of π from a root of unity.
+        """(cos, sin) of a multiple of π, in the generators of the constants.
 
         Raises:
-            ResampleError: If this prime has no such root of unity; see `prime_for`.
+            ResampleError: If this prime has no such constants; see `prime_for`.
         """
-        order = 2 * count.denominator
-        root = self._unity(4 * order)
-        imaginary = root**order
-        turn = root ** ((4 * count.numerator) % (4 * order))
-        half = nmod(1, self.prime) / nmod(2, self.prime)
-        back = 1 / turn
-        return (turn + back) * half, (turn - back) * half / imaginary
+        if count not in self._turns:
+            self._turns[count] = (
+                self._algebraic(self.constants.cosine(count)),
+                self._algebraic(self.constants.cosine(Fraction(1, 2) - count)),
+            )
+        return self._turns[count]
 
     def radians(self, value: Fraction) -> tuple[Residue, Residue]:
         """A transcendental constant: drawn like a free angle."""
@@ -104,11 +115,12 @@ class ModularRing:
             ResampleError: If there is none at this point.
         """
         if radicand not in self._roots:
-            polynomial = nmod_poly([int(-value), 0, 1], self.prime)
-            roots = [root for root, _ in polynomial.roots()]
-            if not roots:
-                raise ResampleError
-            self._roots[radicand] = roots[0]
+            known = rational_value(radicand)
+            if known is not None and known >= 0:
+                root = self._algebraic(self.constants.square_root(known))
+            else:
+                root = self._root([int(-value), 0, 1])
+            self._roots[radicand] = root
         return self._roots[radicand]
 
     def inverse(self, divisor: Expression, value: Residue) -> Residue:
@@ -139,20 +151,35 @@ class ModularRing:
             if below != 0:
                 return (1 - t * t) / below, 2 * t / below
 
-    def _unity(self, order: int) -> Residue:
-        if (self.prime - 1) % order:
+    def _root(self, coefficients: Sequence[int]) -> Residue:
+        roots = nmod_poly(list(coefficients), self.prime).roots()
+        if not roots:
             raise ResampleError
-        if self._circle is None or self._circle[0] % order:
-            power = (self.prime - 1) // order
-            fixed = random.Random(order)
-            factors = [int(p) for p, _ in fmpz(order).factor()]
-            while True:
-                root = nmod(fixed.randrange(2, self.prime), self.prime) ** power
-                if all(root ** (order // p) != 1 for p in factors):
-                    break
-            self._circle = (order, (root, root))
-        kept, (root, _) = self._circle
-        return root ** (kept // order)
+        return roots[0][0]
+
+    def _algebraic(self, terms: Combination) -> Residue:
+        """A constant from the residues of its field's generators."""
+        total = self._zero
+        for exponents, coefficient in terms.items():
+            term = self.rational(coefficient)
+            for name, exponent in zip(
+                self.constants.generators, exponents, strict=True
+            ):
+                if exponent:
+                    term = term * self.generator(name) ** exponent
+            total = total + term
+        return total
+
+    def generator(self, name: str) -> Residue:
+        """The residue of a generator of the constants, always the same one.
+
+        Raises:
+            ResampleError: If its minimal polynomial has no root mod this prime.
+        """
+        if name not in self._generators:
+            polynomial = self.constants.minimal_polynomials[name]
+            self._generators[name] = self._root(polynomial)
+        return self._generators[name]
 
 
 def prime_for(

@@ -11,6 +11,7 @@ from fractions import Fraction
 from math import isqrt, lcm
 
 from screwkit.algebra.expression import Expression, Number
+from screwkit.algebra.rational_values import rational_value
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,13 +91,16 @@ class SurveyRing:
 
     def square_root(self, radicand: Expression, value: Blank) -> Blank:
         """Write down a radicand that is not the square of a rational."""
-        if not (isinstance(radicand, Number) and rational_root(radicand.value)):
+        known = rational_value(radicand)
+        if known is None:
             self.roots[radicand] = None
+        elif rational_root(known) is None:
+            self.roots[Number(known)] = None
         return _BLANK
 
     def inverse(self, divisor: Expression, value: Blank) -> Blank:
         """Write down a divisor."""
-        if not isinstance(divisor, Number):
+        if rational_value(divisor) is None:
             self.divisors[divisor] = None
         return _BLANK
 

@@ -25,6 +25,7 @@ from flint import Ordering, fmpq, fmpq_mpoly_ctx
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.evaluation import add_angles, evaluate, multiply_angle
 from screwkit.algebra.expression import Expression, Number
+from screwkit.algebra.rational_values import rational_value
 from screwkit.algebra.survey import SurveyRing, rational_root
 from screwkit.errors import ExpressionError
 
@@ -187,7 +188,7 @@ class TrigonometricRing:
             rational = rational_root(constant)
             if rational is not None:
                 return self.rational(rational)
-            if isinstance(radicand, Number):
+            if rational_value(radicand) is not None:
                 return self._algebraic(self._constants.square_root(constant))
         return self._extended[radicand]
 

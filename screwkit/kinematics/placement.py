@@ -1,8 +1,9 @@
-"""Where the joints are: an ``mdh`` table placed over any ring.
+"""Where the joints are, over any ring, whichever way a file gives its geometry.
 
-Each joint with a row places its child; bodies are placed outwards from any link, so
-that the same text gives twists in the base frame, in the frame of a middle link, or in
-whichever frame keeps them short.
+In an ``mdh`` file each joint with a row places its child; bodies are placed outwards
+from any link, so that the same text gives twists in the base frame, in the frame of a
+middle link, or in whichever frame keeps them short.  In ``posture`` files the axes stand
+as written, in ``reference`` files they are carried there; both are in the base frame.
 
 References: [KhalilKleinfinger1986], [LongCaroKhalil2012] eq. (2) for the transform.
 """
@@ -11,52 +12,33 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
-from typing import Generic
 
 from screwkit.algebra.evaluation import add_angles, cosine_sine, evaluate
 from screwkit.algebra.ring import Ring, S
 from screwkit.errors import UndecidedError
+from screwkit.kinematics.freedoms import JointTwist, freedom_twists
+from screwkit.kinematics.product_of_exponentials import placed_by_variables
+from screwkit.mechanism.graph import independent_loops
+from screwkit.mechanism.joints import RIGID, freedom_labels
 from screwkit.mechanism.model import Joint, JointType, MdhRow, Mechanism
 from screwkit.screw import vector
 from screwkit.screw.displacement import Displacement
-from screwkit.screw.vector import Vector
-
-
-@dataclass(frozen=True)
-class JointTwist(Generic[S]):
-    """The twist of one freedom in some frame.
-
-    Attributes:
-        joint: Name of the joint.
-        freedom: Which of its freedoms, from 0.
-        direction, moment: The six coordinates.
-        point: A point of the axis (for a prismatic joint the origin of its frame).
-    """
-
-    joint: str
-    freedom: int
-    direction: Vector[S]
-    moment: Vector[S]
-    point: Vector[S]
-
-    @property
-    def coordinates(self) -> tuple[S, ...]:
-        """(ω; v)."""
-        return (*self.direction, *self.moment)
 
 
 def parent_from_joint(joint: Joint, row: MdhRow, ring: Ring[S]) -> Displacement[S]:
     """The frame of a joint seen from its antecedent's frame."""
     theta = cosine_sine(row.theta, ring)
     r = evaluate(row.r, ring)
-    if joint.type is JointType.REVOLUTE:
+    if joint.type in TURNING:
         moved = add_angles(
             cosine_sine(joint.offsets[0], ring),
             ring.cosine_sine(joint.variables[0]),
             ring,
         )
         theta = add_angles(theta, moved, ring)
+    if joint.type is JointType.HELICAL and joint.pitch is not None:
+        turned = evaluate(joint.offsets[0], ring) + ring.symbol(joint.variables[0])
+        r = r + evaluate(joint.pitch, ring) * turned
     elif joint.type is JointType.PRISMATIC:
         r = r + evaluate(joint.offsets[0], ring) + ring.symbol(joint.variables[0])
     return _table_displacement(row, theta, ring.normal(r), ring)
@@ -95,10 +77,6 @@ def placed_links(
         ring: Where the coordinates live.
         origin: The link whose frame is used.
         joints: Follow only these joints; all of them by default.
-
-    Raises:
-        UndecidedError: If the mechanism is no ``mdh`` file, or its table places a link
-            twice, which ties joint variables together.
     """
     rows = table_joints(mechanism)
     if joints is not None:
@@ -123,37 +101,30 @@ def placed_links(
 
 
 def table_joints(mechanism: Mechanism) -> tuple[Joint, ...]:
-    """The joints that carry a row.
+    """The joints that carry a row and place their child."""
+    return tuple(joint for joint in mechanism.joints if joint.mdh is not None)
 
-    Raises:
-        UndecidedError: See `placed_links`.
+
+def why_tied(mechanism: Mechanism) -> str:
+    """What ties joint variables together, or an empty text.
+
+    In ``posture`` files loops are closed by construction, in an ``mdh`` file whose
+    table places every link once the object is grasped wherever the limbs are.
     """
-    if mechanism.geometry != "mdh":
-        raise UndecidedError(
-            f"geometry {mechanism.geometry!r} is read but not yet analysed; "
-            f"write the mechanism with `geometry: mdh`"
-        )
-    rows = tuple(joint for joint in mechanism.joints if joint.mdh is not None)
+    if mechanism.geometry == "posture":
+        return ""
+    if mechanism.geometry == "reference":
+        loops = independent_loops(mechanism)
+        return "closed loops tie the joint variables together" if loops else ""
     placed_by: dict[str, str] = {}
-    for joint in rows:
+    for joint in table_joints(mechanism):
         if joint.child in placed_by:
-            raise UndecidedError(
+            return (
                 f"joints {placed_by[joint.child]!r} and {joint.name!r} both place "
-                f"{joint.child!r}: the loop ties the joint variables together, which "
-                f"is not analysed yet; attach it by a fixed joint without a row where "
-                f"the object is grasped wherever the limbs are"
+                f"{joint.child!r}, which ties the joint variables together"
             )
         placed_by[joint.child] = joint.name
-    for joint in mechanism.joints:
-        if joint.mdh is None and joint.type not in GRASPS:
-            raise UndecidedError(
-                f"joint {joint.name!r} ({joint.type}) carries no row of the table; "
-                f"such joints are not analysed yet"
-            )
-    return rows
-
-
-GRASPS = (JointType.FIXED, JointType.COMPLETE)
+    return ""
 
 
 def joint_twists(
@@ -162,31 +133,79 @@ def joint_twists(
     origin: str,
     joints: Collection[str] | None = None,
 ) -> Mapping[str, JointTwist[S]]:
-    """The twist of every moving joint in the frame of ``origin``, by joint name.
+    """The twist of every freedom in the frame of ``origin``, by its label.
 
     Args:
-        mechanism: An ``mdh`` mechanism.
+        mechanism: Any mechanism.
         ring: Where the coordinates live.
-        origin: The link whose frame is used.
+        origin: The link whose frame is used; the base in ``posture`` and
+            ``reference`` files, which give no frames of links.
         joints: Only these joints; all of them by default.
+
+    Raises:
+        UndecidedError: See `freedoms.freedom_twists`.
     """
+    if mechanism.geometry == "mdh":
+        return _table_twists(mechanism, ring, origin, joints)
+    chosen = [j for j in mechanism.joints if joints is None or j.name in joints]
+    if mechanism.geometry == "reference":
+        _, twists = placed_by_variables(mechanism, ring)
+        labels = [label for j in chosen for label in freedom_labels(j, mechanism.space)]
+        return {label: twists[label] for label in labels}
+    return {
+        twist.label: twist
+        for joint in chosen
+        for twist in freedom_twists(joint, ring, mechanism.space)
+    }
+
+
+def _table_twists(
+    mechanism: Mechanism,
+    ring: Ring[S],
+    origin: str,
+    joints: Collection[str] | None,
+) -> Mapping[str, JointTwist[S]]:
     placed = placed_links(mechanism, ring, origin, joints)
     twists: dict[str, JointTwist[S]] = {}
     zero = (ring.zero, ring.zero, ring.zero)
-    for joint in table_joints(mechanism):
-        if joint.type not in MOVING or joint.child not in placed:
-            continue
+    for joint in mechanism.joints:
         if joints is not None and joint.name not in joints:
+            continue
+        if joint.mdh is None:
+            if joint.type not in RIGID:
+                twists |= _contact_twists(mechanism, joint, ring, origin)
+            continue
+        if joint.type in RIGID or joint.child not in placed:
             continue
         frame = placed[joint.child]
         axis = vector.column(frame.rotation, 2)
         point = frame.translation
-        if joint.type is JointType.REVOLUTE:
-            moment = vector.normal(ring, vector.cross(point, axis))
-            twists[joint.name] = JointTwist(joint.name, 0, axis, moment, point)
-        else:
-            twists[joint.name] = JointTwist(joint.name, 0, zero, axis, point)
+        name = joint.name
+        if joint.type is JointType.PRISMATIC:
+            twists[name] = JointTwist(name, 0, zero, axis, point, name)
+            continue
+        moment = vector.cross(point, axis)
+        if joint.type is JointType.HELICAL and joint.pitch is not None:
+            advance = vector.scaled(evaluate(joint.pitch, ring), axis)
+            moment = vector.add(moment, advance)
+        moment = vector.normal(ring, moment)
+        twists[name] = JointTwist(name, 0, axis, moment, point, name)
     return twists
 
 
-MOVING = (JointType.REVOLUTE, JointType.PRISMATIC)
+def _contact_twists(
+    mechanism: Mechanism, joint: Joint, ring: Ring[S], origin: str
+) -> Mapping[str, JointTwist[S]]:
+    """A contact of an ``mdh`` file stands in the base frame."""
+    moved = None
+    if origin != mechanism.base:
+        placed = placed_links(mechanism, ring, origin)
+        if mechanism.base not in placed:
+            raise UndecidedError(f"nothing connects {origin!r} with the base")
+        moved = placed[mechanism.base]
+    twists = freedom_twists(joint, ring, mechanism.space, moved)
+    return {twist.label: twist for twist in twists}
+
+
+TURNING = (JointType.REVOLUTE, JointType.HELICAL)
+"""Joints of a table whose variable is an angle."""

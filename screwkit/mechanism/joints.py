@@ -93,3 +93,15 @@ def variable_count(joint_type: JointType, space: Space = "spatial") -> int:
         ValueError: If the type does not exist in the plane.
     """
     return freedoms_of_type(joint_type, space) if is_actuable(joint_type) else 0
+
+
+def freedom_labels(joint: Joint, space: Space = "spatial") -> tuple[str, ...]:
+    """How its freedoms are written: ``name``, or ``name:0``, ``name:1`` … if several.
+
+    Raises:
+        ValueError: If its type does not exist in the plane.
+    """
+    count = freedoms(joint, space)
+    if count == 1:
+        return (joint.name,)
+    return tuple(f"{joint.name}:{index}" for index in range(count))

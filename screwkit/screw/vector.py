@@ -59,3 +59,8 @@ def compose(ring: Ring[S], left: Rotation[S], right: Rotation[S]) -> Rotation[S]
     """Matrix product, in normal form."""
     columns = [normal(ring, rotate(left, column(right, i))) for i in range(3)]
     return transpose((columns[0], columns[1], columns[2]))
+
+
+def scaled(factor: S, a: Sequence[S]) -> Vector[S]:
+    """A multiple."""
+    return factor * a[0], factor * a[1], factor * a[2]
