@@ -22,7 +22,8 @@ from screwkit.algebra.trigonometric import (
     TrigonometricRing,
     plain_basis,
 )
-from screwkit.kinematics.placement import JointTwist, joint_twists, table_joints
+from screwkit.kinematics.freedoms import JointTwist
+from screwkit.kinematics.placement import joint_twists, table_joints
 from screwkit.mechanism.model import Joint, JointType, MdhRow, Mechanism
 from screwkit.screw import vector
 from screwkit.screw.vector import Vector

@@ -23,7 +23,8 @@ from screwkit.algebra.evaluation import cosine_sine, evaluate
 from screwkit.algebra.ring import Ring, S
 from screwkit.conventions import SCREW_DIMENSION
 from screwkit.errors import ExpressionError, UndecidedError, UnknownNameError
-from screwkit.kinematics.placement import GRASPS, MOVING, JointTwist, joint_twists
+from screwkit.kinematics.freedoms import JointTwist
+from screwkit.kinematics.placement import GRASPS, MOVING, joint_twists
 from screwkit.mechanism.model import Mechanism
 
 Step: TypeAlias = tuple[str, int]

@@ -2,8 +2,8 @@
 
 In an ``mdh`` file each joint with a row places its child; bodies are placed outwards
 from any link, so that the same text gives twists in the base frame, in the frame of a
-middle link, or in whichever frame keeps them short.  In ``posture`` files the axes stand
-as written, in ``reference`` files they are carried there; both are in the base frame.
+middle link, or in whichever frame keeps them short.  In ``posture`` files the axes
+stand as written, in ``reference`` files they are carried; both are in the base frame.
 
 References: [KhalilKleinfinger1986], [LongCaroKhalil2012] eq. (2) for the transform.
 """
@@ -209,3 +209,9 @@ def _contact_twists(
 
 TURNING = (JointType.REVOLUTE, JointType.HELICAL)
 """Joints of a table whose variable is an angle."""
+
+MOVING = (JointType.REVOLUTE, JointType.PRISMATIC, JointType.HELICAL)
+"""Joints of one freedom."""
+
+GRASPS = (JointType.FIXED, JointType.COMPLETE)
+"""Joints that leave no freedom."""
