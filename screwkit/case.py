@@ -18,7 +18,14 @@ from screwkit.algebra.parse import parse
 from screwkit.errors import UnknownCaseError, UnknownNameError
 from screwkit.mechanism.files import read_mechanism
 from screwkit.mechanism.graph import actuable_freedoms
-from screwkit.mechanism.model import Claim, Joint, Mechanism, freedom_label
+from screwkit.mechanism.model import (
+    Claim,
+    Joint,
+    Mechanism,
+    Variant,
+    freedom_label,
+)
+from screwkit.mechanism.variants import at_variant
 
 if TYPE_CHECKING:
     from screwkit.analyses.limb_view import LimbView
@@ -48,6 +55,11 @@ class Case:
         """The expected values that the file records."""
         return self.mechanism.claims
 
+    @property
+    def variants(self) -> tuple[str, ...]:
+        """Names of the variants that the file declares."""
+        return tuple(variant.name for variant in self.mechanism.variants)
+
     @cached_property
     def assembly(self) -> Assembly:
         """The mechanism with its limbs resolved and its twists on demand.
@@ -75,26 +87,47 @@ def load(
     source: str | Path,
     set_values: Mapping[str, object] | None = None,
     actuated: Sequence[str] | None = None,
+    variant: str | None = None,
 ) -> Case:
     """Read a mechanism file, or a bundled case by its name.
 
     Args:
-        source: A path, or the name of a bundled case.
+        source: A path, or the name of a bundled case; with ``#name`` behind it, a
+            variant of it.
         set_values: Numbers (or texts of constant expressions) for symbols of the file.
         actuated: Replaces the declared scheme; freedoms as in the file format.
+        variant: One of the variants that the file declares; its values replace the
+            file's, its claims too, and ``set_values`` act on top of it.
 
     Raises:
         UnknownCaseError: If there is no such file and no such bundled case.
         MechanismFileError: If the file is wrong.
-        UnknownNameError: If ``set_values`` or ``actuated`` name what is not there.
+        UnknownNameError: If ``set_values``, ``actuated`` or ``variant`` name what is
+            not there.
         ExpressionError: If a value is no constant expression.
     """
-    mechanism = read_mechanism(find(source))
+    path, referred = found(source)
+    mechanism = read_mechanism(path)
+    chosen = variant if variant is not None else referred
+    if chosen is not None:
+        mechanism = at_variant(mechanism, _variant(mechanism, chosen))
     if set_values:
         mechanism = _with_numbers(mechanism, set_values)
     if actuated is not None:
         mechanism = _with_actuated(mechanism, actuated)
     return Case(mechanism)
+
+
+def found(source: str | Path) -> tuple[Path, str | None]:
+    """The file of a path or of a bundled case's name, and the variant named with it.
+
+    Raises:
+        UnknownCaseError: If there is neither.
+    """
+    case, mark, variant = str(source).rpartition("#")
+    if not mark or Path(source).exists():
+        return find(source), None
+    return find(case), variant
 
 
 def find(source: str | Path) -> Path:
@@ -125,6 +158,14 @@ def _bundled_files() -> list[Path]:
         if folder.is_dir():
             return sorted(folder.glob("*.yaml"))
     return []
+
+
+def _variant(mechanism: Mechanism, name: str) -> Variant:
+    known = {variant.name: variant for variant in mechanism.variants}
+    if name in known:
+        return known[name]
+    hint = did_you_mean(name, known) if known else "; it has none"
+    raise UnknownNameError(f"no variant {name!r} of {mechanism.name}{hint}")
 
 
 def _with_numbers(mechanism: Mechanism, values: Mapping[str, object]) -> Mechanism:

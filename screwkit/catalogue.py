@@ -93,6 +93,8 @@ def list_cases(*, as_json: bool) -> int:
                 "name": name,
                 "title": mechanism.title,
                 "source": mechanism.source,
+                "known_for": mechanism.known_for,
+                "variants": [variant.name for variant in mechanism.variants],
                 "joints": counts["joints"],
                 "loops": counts["loops"],
             }
@@ -102,7 +104,17 @@ def list_cases(*, as_json: bool) -> int:
         return errors.EXIT_DONE
     from screwkit.reports.sections import CaseEntry, CaseList  # noqa: PLC0415
 
-    emit(text_of(CaseList(tuple(CaseEntry(**entry) for entry in entries))))
+    listed = tuple(
+        CaseEntry(
+            name=entry["name"],
+            title=" – ".join(filter(None, (entry["title"], entry["known_for"]))),
+            source=entry["source"],
+            joints=entry["joints"],
+            loops=entry["loops"],
+        )
+        for entry in entries
+    )
+    emit(text_of(CaseList(listed)))
     return errors.EXIT_DONE
 
 

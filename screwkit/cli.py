@@ -26,6 +26,7 @@ from screwkit.options import (
     Quiet,
     Setting,
     Timeout,
+    Variant,
     Which,
 )
 
@@ -71,7 +72,7 @@ def _request(question: str, given: dict[str, Any], **options: Any) -> Any:
     memory, actuated = given["memory"], given["actuated"]
     job = Job(
         question=question,
-        case=given["case"],
+        case=_named(given["case"], given["variant"]),
         set_values=dict(_setting(text) for text in given["set_values"] or ()),
         actuated=None if actuated is None else _names(actuated),
         options={name: value for name, value in options.items() if value is not None},
@@ -84,6 +85,11 @@ def _request(question: str, given: dict[str, Any], **options: Any) -> Any:
         given["quiet"],
         debug=_DEBUG in sys.argv,
     )
+
+
+def _named(case: str, variant: str | None) -> str:
+    """The case, with its variant as `screwkit.load` takes it in one word."""
+    return case if variant is None else f"{case}#{variant}"
 
 
 def _setting(text: str) -> tuple[str, str]:
@@ -107,6 +113,7 @@ def _answer(request: Any) -> NoReturn:
 def check(
     case: CaseName,
     *,
+    variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
     at: At = None,
@@ -123,13 +130,14 @@ def check(
     # The same options as everywhere; reading a file needs no deadline.
     job = _request("check", {**locals(), "memory": None}).job
     changes = {"set_values": job.set_values, "actuated": job.actuated}
-    raise typer.Exit(check_case(case, changes, as_json=as_json, quiet=quiet))
+    raise typer.Exit(check_case(job.case, changes, as_json=as_json, quiet=quiet))
 
 
 @app.command()
 def mobility(
     case: CaseName,
     *,
+    variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
     at: At = None,
@@ -152,6 +160,7 @@ def screws(
     order: Annotated[
         Order, typer.Option(help="linear prints (v; ω) and (m; f).")
     ] = Order.DIRECTION,
+    variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
     at: At = None,
@@ -179,6 +188,7 @@ def singularities(
     case: CaseName,
     *,
     every: Every = False,
+    variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
     at: At = None,
@@ -219,6 +229,7 @@ def schemes(
         Path | None,
         typer.Option("-o", "--output", help="Write .tex, .csv, .json or .txt."),
     ] = None,
+    variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
     at: At = None,
@@ -255,6 +266,7 @@ def schemes(
 def analyze(
     case: CaseName,
     *,
+    variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
     at: At = None,
@@ -280,6 +292,7 @@ def report(
     output: Annotated[
         Path | None, typer.Option("-o", "--output", help="File or folder.")
     ] = None,
+    variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
     at: At = None,

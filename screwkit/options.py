@@ -34,6 +34,10 @@ class Which(StrEnum):
 CaseName = Annotated[str, typer.Argument(metavar="CASE", help="File or bundled case.")]
 AsJson = Annotated[bool, typer.Option("--json", help="One JSON document.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no notes.")]
+Variant = Annotated[
+    str | None,
+    typer.Option(metavar="NAME", help="A variant that the file declares."),
+]
 Setting = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="NAME=VALUE", help="A number for a symbol."),

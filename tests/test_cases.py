@@ -28,9 +28,12 @@ QUESTIONS: dict[str, Callable[..., Any]] = {
 
 
 def claims() -> Iterator[Any]:
+    """The claims of every file and of every variant in it."""
     for name in bundled_cases():
-        for claim in load(name).claims:
-            yield pytest.param(name, claim, id=f"{name}:{claim.question}")
+        variants = (f"{name}#{variant}" for variant in load(name).variants)
+        for case in (name, *variants):
+            for claim in load(case).claims:
+                yield pytest.param(case, claim, id=f"{case}:{claim.question}")
 
 
 @cache

@@ -215,6 +215,26 @@ def test_check_takes_the_common_options(capsys: pytest.CaptureFixture[str]) -> N
     assert screwkit("check", "nao_t14", "--set", "nothing=1") == 2
 
 
+def test_a_variant_reaches_the_job_with_its_case(engine: Answering) -> None:
+    screwkit("mobility", "arm.yaml", "--variant", "short")
+    assert engine.jobs[0].case == "arm.yaml#short"
+
+
+@pytest.mark.parametrize("command", ["check", "mobility", "analyze"])
+def test_an_unknown_variant_is_2(
+    command: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert screwkit(command, "nao_t14", "--variant", "x", "--quiet") == 2
+    assert "no variant 'x' of nao_t14" in capsys.readouterr().err
+
+
+def test_cases_say_what_they_are_known_for(capsys: pytest.CaptureFixture[str]) -> None:
+    assert screwkit("cases", "--json") == 0
+    listed = json.loads(capsys.readouterr().out)["cases"]
+    keys = {"name", "title", "source", "joints", "loops", "known_for", "variants"}
+    assert all(entry.keys() == keys for entry in listed)
+
+
 @pytest.mark.usefixtures("engine")
 def test_a_latex_report_has_fragments_and_results(tmp_path: Path) -> None:
     path = tmp_path / "paper" / "arms.tex"

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from screwkit.algebra.closed_values import closed_value
 from screwkit.algebra.expression import ONE, ZERO, Expression
 from screwkit.algebra.names import did_you_mean, shown
 from screwkit.algebra.vector_expression import VectorExpression
 from screwkit.mechanism.actuation import read_actuation, read_weights
+from screwkit.mechanism.claim_entries import read_claims
 from screwkit.mechanism.geometry_checks import (
     check_antecedents,
     check_joint,
@@ -20,7 +20,6 @@ from screwkit.mechanism.geometry_checks import (
 )
 from screwkit.mechanism.limb_names import check_limb_names
 from screwkit.mechanism.model import (
-    Claim,
     Joint,
     JointType,
     MdhRow,
@@ -28,11 +27,8 @@ from screwkit.mechanism.model import (
 )
 from screwkit.mechanism.nodes import (
     Faults,
-    Mapping,
-    Node,
     Path,
     Scalar,
-    Sequence,
     find,
 )
 from screwkit.mechanism.places import read_places, read_pose
@@ -44,6 +40,7 @@ from screwkit.mechanism.symbols import (
     read_parameters,
     read_variables,
 )
+from screwkit.mechanism.variants import read_variants
 
 
 def assembled(draft: Draft, faults: Faults) -> Mechanism:
@@ -56,7 +53,8 @@ def assembled(draft: Draft, faults: Faults) -> Mechanism:
         planar=entry.space == "planar",
     )
     check_links(draft, reading)
-    parameters = read_parameters(draft, reading)
+    written = read_parameters(draft, reading)
+    parameters = written.parameters
     names = frozenset(parameter.name for parameter in parameters)
     variables = read_variables(draft, reading, names)
     reading.names = names | {name for own in variables for name in own}
@@ -84,13 +82,15 @@ def assembled(draft: Draft, faults: Faults) -> Mechanism:
         units=entry.units,
         parameters=parameters,
         limb_names=dict(entry.limbs),
-        claims=_claims(entry, reading),
+        claims=read_claims(entry.expected, ("expected",), reading),
         reference_point=_reference_point(entry, reading),
         points=points,
         vectors=vectors,
         pose=pose,
         weights=read_weights(draft, order, reading),
         scheme_order=order,
+        known_for=_line(entry.known_for, ("known_for",), reading),
+        variants=read_variants(draft, written, reading),
     )
     check_limb_names(mechanism, draft, reading)
     return mechanism
@@ -206,59 +206,15 @@ def _row(entry: MdhEntry | None, path: Path, reading: Reading) -> MdhRow | None:
     return MdhRow(**{key: e if e is not None else ZERO for key, e in read.items()})
 
 
+def _line(text: str, path: Path, reading: Reading) -> str:
+    if "\n" in text.strip():
+        reading.fault(path, "one line of text is expected")
+    return text.strip()
+
+
 def _reference_point(
     entry: MechanismEntry, reading: Reading
 ) -> VectorExpression | None:
     if entry.reference_point is None:
         return None
     return reading.vector(("reference_point",), entry.reference_point)
-
-
-def _claims(entry: MechanismEntry, reading: Reading) -> tuple[Claim, ...]:
-    found = []
-    for question, claim in entry.expected.items():
-        path: Path = ("expected", question)
-        tolerance = 0.0
-        if claim.tolerance is not None:
-            expression = reading.scalar((*path, "tolerance"), claim.tolerance, ())
-            value = closed_value(expression) if expression is not None else None
-            tolerance = value or 0.0
-            if expression is not None and (value is None or value < 0):
-                reading.fault((*path, "tolerance"), "a tolerance is a number from 0")
-        node = find(reading.root, (*path, "value"))
-        found.append(
-            Claim(
-                question,
-                claim_value(node) if node is not None else None,
-                claim.status,
-                claim.source,
-                claim.holds,
-                claim.note,
-                tolerance,
-            )
-        )
-    return tuple(found)
-
-
-def claim_value(node: Node) -> Any:
-    """The value of a claim: unquoted numbers and truths are such, the rest is text."""
-    match node:
-        case Scalar(text, quoted=quoted):
-            return text if quoted else _literal(text)
-        case Sequence(items):
-            return [claim_value(item) for item in items]
-        case Mapping(entries):
-            return {entry.key: claim_value(entry.value) for entry in entries}
-
-
-def _literal(text: str) -> Any:
-    if text in {"true", "false"}:
-        return text == "true"
-    for convert in (int, float):
-        try:
-            number = convert(text)
-        except ValueError:
-            continue
-        plain_digits = text.lstrip("+-").replace(".", "", 1)[:1].isdigit()
-        return number if plain_digits and "_" not in text else text
-    return text

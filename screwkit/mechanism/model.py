@@ -130,6 +130,24 @@ class Claim:
 
 
 @dataclass(frozen=True)
+class Variant:
+    """The same mechanism at other values of its symbols.
+
+    Attributes:
+        name: What `load` and the commands call it.
+        title: In words; the name where the file gives none.
+        values: Closed expressions that replace those of the parameters, with those
+            that follow from them where a parameter's value is computed from others.
+        claims: In the place of the file's own.
+    """
+
+    name: str
+    title: str
+    values: Mapping[str, Expression]
+    claims: tuple[Claim, ...] = ()
+
+
+@dataclass(frozen=True)
 class Pose:
     """The platform's frame in that of the base, in a ``posture`` file.
 
@@ -154,6 +172,8 @@ class Mechanism:
         weights: Full matrices by key (``twist``, ``rates`` …), as rows.
         scheme_order: The actuated freedoms in the order in which the file lists them;
             the order of the weights.
+        known_for: What the mechanism is known for, in one line.
+        variants: The same mechanism at other values, as the file lists them.
     """
 
     name: str
@@ -177,6 +197,8 @@ class Mechanism:
         default_factory=dict
     )
     scheme_order: tuple[str, ...] = ()
+    known_for: str = ""
+    variants: tuple[Variant, ...] = ()
 
     def joint(self, name: str) -> Joint:
         """The joint of that name.

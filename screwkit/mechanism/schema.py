@@ -247,6 +247,20 @@ class ClaimEntry(_Entry):
     tolerance: Formula | None = None
 
 
+class VariantEntry(_Entry):
+    """The same mechanism at other values of its symbols, with claims of its own.
+
+    Attributes:
+        title: In words.
+        values: Closed expressions for declared parameters and variables.
+        expected: Claims that hold at these values, in the place of the file's own.
+    """
+
+    title: str = ""
+    values: dict[str, Formula]
+    expected: dict[str, ClaimEntry] = Field(default_factory=dict)
+
+
 class MechanismEntry(_Entry):
     """A mechanism file."""
 
@@ -254,6 +268,7 @@ class MechanismEntry(_Entry):
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]+$", max_length=80)]
     title: str = ""
     source: str = ""
+    known_for: str = ""
     units: str = ""
     space: Literal["spatial", "planar"] = "spatial"
     geometry: Literal["posture", "reference", "mdh"]
@@ -271,6 +286,7 @@ class MechanismEntry(_Entry):
     weights: WeightsEntry | None = None
     limbs: dict[str, tuple[Word, ...]] = Field(default_factory=dict)
     expected: dict[str, ClaimEntry] = Field(default_factory=dict)
+    variants: dict[str, VariantEntry] = Field(default_factory=dict)
 
 
 def json_schema() -> dict[str, Any]:

@@ -127,6 +127,10 @@ def _remainder(
                 content["joints"][position].pop(key, None)
             case ("joints", int(position), *_):
                 lost_joints.add(position)
+            case ("variants", str(name), str(group), str(key), *_):
+                content["variants"][name][group].pop(key, None)
+            case ("variants", str(name), *_):
+                content["variants"].pop(name, None)
             case (str(key), str(name), *_) if key in _BY_NAME:
                 if isinstance(content.get(key), dict):
                     content[key].pop(name, None)
@@ -288,7 +292,7 @@ def _literals(model: type[BaseModel], field: str) -> tuple[str, ...]:
 
 def _options(path: Path) -> list[str]:
     """The words allowed at a path that ends in a literal."""
-    if path[0] == "expected":
+    if path[-1] == "status":
         return list(_literals(schema.ClaimEntry, "status"))
     return list(_literals(MechanismEntry, str(path[0])))
 
@@ -305,8 +309,10 @@ def _model_at(path: Path, root: Mapping) -> type[BaseModel] | None:
             return schema.VariableEntry
         case ("points" | "vectors", str()):
             return schema.VectorEntry
-        case ("expected", str()):
+        case ("expected", str()) | ("variants", str(), "expected", str()):
             return schema.ClaimEntry
+        case ("variants", str()):
+            return schema.VariantEntry
         case ("pose",):
             return schema.PoseEntry
         case ("pose", "rotation"):

@@ -6,7 +6,8 @@ are resolved here to closed expressions.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 from screwkit.algebra.closed_values import closed_value
@@ -21,7 +22,20 @@ from screwkit.mechanism.schema import MechanismEntry, ParameterEntry, VariableEn
 from screwkit.mechanism.structure import Draft
 
 
-def read_parameters(draft: Draft, reading: Reading) -> tuple[Parameter, ...]:
+@dataclass(frozen=True)
+class Declared:
+    """The parameters of a file, and their values as it writes them.
+
+    Attributes:
+        parameters: With closed values.
+        written: The values by name, in which other parameters may occur.
+    """
+
+    parameters: tuple[Parameter, ...]
+    written: Mapping[str, Expression]
+
+
+def read_parameters(draft: Draft, reading: Reading) -> Declared:
     """The parameters, then the free variables, with closed values."""
     entries = dict(_parameter_entries(draft.entry, reading))
     raw: dict[str, Expression] = {}
@@ -42,9 +56,9 @@ def read_parameters(draft: Draft, reading: Reading) -> tuple[Parameter, ...]:
             angle=isinstance(entry, VariableEntry) and entry.angle,
             free=isinstance(entry, VariableEntry),
         )
-        _check_assumptions(parameter, _value_path(path, reading), reading)
+        check_assumptions(parameter, _value_path(path, reading), reading)
         found.append(parameter)
-    return tuple(found)
+    return Declared(tuple(found), raw)
 
 
 def _value_path(path: Path, reading: Reading) -> Path:
@@ -78,9 +92,32 @@ def _closed(
     entries: dict[str, tuple[Path, ParameterEntry]],
     reading: Reading,
 ) -> dict[str, Expression]:
-    """The values with parameters put in for their names."""
+    """The values with parameters put in for their names; faults where none come out."""
+    closed, divided = closed_values_of(raw)
+    for name in divided:
+        reading.fault(_value_path(entries[name][0], reading), "division by zero")
+    for name, value in raw.items():
+        if name in closed or name in divided:
+            continue
+        missing = sorted(symbols_of(value) - closed.keys())
+        path = _value_path(entries[name][0], reading)
+        if any(other in raw and other not in divided for other in missing):
+            reading.fault(path, f"the value depends on itself through {missing[0]!r}")
+        elif missing[0] not in raw:
+            reading.fault(path, f"{missing[0]!r} has no value to compute this one from")
+    return closed
+
+
+def closed_values_of(
+    written: Mapping[str, Expression],
+) -> tuple[dict[str, Expression], frozenset[str]]:
+    """The values without symbols, and the names whose values divide by zero.
+
+    Values that depend on themselves or on a symbol without value are in neither.
+    """
     closed: dict[str, Expression] = {}
-    waiting = dict(raw)
+    divided: set[str] = set()
+    waiting = dict(written)
     progress = True
     while waiting and progress:
         progress = False
@@ -92,19 +129,12 @@ def _closed(
                 try:
                     closed[name] = substitute(value, {u: closed[u] for u in used})
                 except ZeroDivisionError:
-                    path = _value_path(entries[name][0], reading)
-                    reading.fault(path, "division by zero")
-    for name, value in waiting.items():
-        missing = sorted(symbols_of(value) - closed.keys())
-        path = _value_path(entries[name][0], reading)
-        if any(other in waiting for other in missing):
-            reading.fault(path, f"the value depends on itself through {missing[0]!r}")
-        elif missing[0] not in raw:
-            reading.fault(path, f"{missing[0]!r} has no value to compute this one from")
-    return closed
+                    divided.add(name)
+    return closed, frozenset(divided)
 
 
-def _check_assumptions(parameter: Parameter, path: Path, reading: Reading) -> None:
+def check_assumptions(parameter: Parameter, path: Path, reading: Reading) -> None:
+    """Report a value that contradicts what the parameter is declared to be."""
     if parameter.value is None:
         return
     value = closed_value(parameter.value)

@@ -1,0 +1,115 @@
+"""Variants of a mechanism: other values of its symbols, with claims of their own.
+
+A variant changes numbers only, never topology or symbols: what holds for every value
+holds for it, and what is special about its values shows beside that.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from typing import Final
+
+from screwkit.algebra.expression import Expression
+from screwkit.algebra.expression_building import symbols_of
+from screwkit.algebra.names import did_you_mean, shown
+from screwkit.mechanism.claim_entries import read_claims
+from screwkit.mechanism.model import Mechanism, Variant
+from screwkit.mechanism.nodes import Path
+from screwkit.mechanism.reading import Reading
+from screwkit.mechanism.schema import VariantEntry
+from screwkit.mechanism.structure import Draft
+from screwkit.mechanism.symbols import (
+    Declared,
+    check_assumptions,
+    closed_values_of,
+)
+
+_NAME: Final = re.compile(r"[A-Za-z0-9_-]{1,80}")
+
+
+def read_variants(
+    draft: Draft, declared: Declared, reading: Reading
+) -> tuple[Variant, ...]:
+    """The variants of a file, with closed values for all that changes."""
+    found = []
+    for name, entry in draft.entry.variants.items():
+        path: Path = ("variants", name)
+        if not _NAME.fullmatch(name):
+            reading.fault_at_key(
+                path,
+                f"variants: {shown(name)} is no name: up to 80 letters, digits, _, -",
+            )
+        values = _values(name, entry, declared, reading)
+        claims = read_claims(entry.expected, (*path, "expected"), reading)
+        found.append(Variant(name, entry.title or name, values, claims))
+    return tuple(found)
+
+
+def _values(
+    name: str, entry: VariantEntry, declared: Declared, reading: Reading
+) -> dict[str, Expression]:
+    own: dict[str, Expression] = {}
+    known = [parameter.name for parameter in declared.parameters]
+    for symbol, text in entry.values.items():
+        path: Path = ("variants", name, "values", symbol)
+        if symbol not in known:
+            if symbol not in reading.lost:
+                reading.fault_at_key(path, _stranger(symbol, known, reading))
+            continue
+        value = reading.scalar(path, text)
+        if value is None:
+            continue
+        if used := sorted(symbols_of(value)):
+            reading.fault(
+                path, f"the value contains the symbol {used[0]!r}; a number is expected"
+            )
+        else:
+            own[symbol] = value
+    return _changed(own, name, declared, reading)
+
+
+def _stranger(symbol: str, known: list[str], reading: Reading) -> str:
+    if symbol in reading.names:
+        return (
+            f"variants: {symbol!r} is a joint variable; a variant changes parameters "
+            f"and variables of the file"
+        )
+    return f"variants: unknown symbol {shown(symbol)}{did_you_mean(symbol, known)}"
+
+
+def _changed(
+    own: dict[str, Expression], name: str, declared: Declared, reading: Reading
+) -> dict[str, Expression]:
+    """The variant's values, with those of parameters that are computed from them."""
+    closed, divided = closed_values_of({**declared.written, **own})
+    values = dict(own)
+    for parameter in declared.parameters:
+        symbol = parameter.name
+        path: Path = ("variants", name, "values")
+        if symbol in own:
+            path = (*path, symbol)
+        elif symbol in divided:
+            if parameter.value is not None:
+                reading.fault(path, f"the value of {symbol!r} divides by zero here")
+            continue
+        elif closed.get(symbol) in {None, parameter.value}:
+            continue
+        values[symbol] = closed[symbol]
+        check_assumptions(replace(parameter, value=values[symbol]), path, reading)
+    return values
+
+
+def at_variant(mechanism: Mechanism, variant: Variant) -> Mechanism:
+    """The mechanism at the values of one of its variants, with that one's claims."""
+    return replace(
+        mechanism,
+        title=": ".join(filter(None, (mechanism.title, variant.title))),
+        parameters=tuple(
+            replace(
+                parameter, value=variant.values.get(parameter.name, parameter.value)
+            )
+            for parameter in mechanism.parameters
+        ),
+        claims=variant.claims,
+    )
