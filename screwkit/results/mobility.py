@@ -49,6 +49,26 @@ class Working:
 
 
 @dataclass(frozen=True)
+class MotionBranch:
+    """One of the finite motions that meet at the posture.
+
+    Attributes:
+        mobility: Its dimension.
+        instantaneous_mobility: Joint freedoms less loop rank at its points; above
+            ``mobility`` where rank alone never tells the truth.
+        motion_type: nTmR of the platform at its points.
+        motion: The finite motion of the platform in words; may be empty.
+    """
+
+    mobility: int
+    instantaneous_mobility: int
+    loop_rank: int
+    redundant_constraints: int
+    motion_type: str
+    motion: str = ""
+
+
+@dataclass(frozen=True)
 class FullCycle:
     """Whether the instantaneous freedoms integrate to finite motion.
 
@@ -56,11 +76,13 @@ class FullCycle:
         status: ``proved``, ``sampled`` or ``undecided``.
         mobility: Finite mobilities of the branches, ascending; empty if undecided.
         reason: The argument, or why it is open.
+        branches: What was found on each branch, where it was looked at.
     """
 
     status: str
     mobility: tuple[int, ...]
     reason: str = ""
+    branches: tuple[MotionBranch, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -80,12 +102,46 @@ class MotionCase:
 
 
 @dataclass(frozen=True)
+class PrincipalScrew:
+    """A principal screw of a system, in numbers.
+
+    Attributes:
+        axis: Unit direction.
+        point: A point of the axis; empty for pure translations or couples.
+        pitch: None where infinite.
+    """
+
+    axis: tuple[float, ...]
+    point: tuple[float, ...]
+    pitch: float | None
+
+
+@dataclass(frozen=True)
+class MotionClass:
+    """The class of a twist system, whatever basis it is given in.
+
+    Attributes:
+        name: ``Schönflies motion``, ``spherical motion``, ``general 2-system``, …
+        description: One sentence.
+        subgroup: Whether the system is closed under the bracket, so that it is the
+            algebra of a group of displacements.
+        principal: Principal screws, at numbers.
+    """
+
+    name: str
+    description: str
+    subgroup: bool
+    principal: tuple[PrincipalScrew, ...] = ()
+
+
+@dataclass(frozen=True)
 class Platform:
     """The platform's freedoms and the constraint wrenches that leave them.
 
     Attributes:
         motion_type: nTmR; n translations, m = dimension − n.
         couples: Dimension of the subspace of pure couples among the wrenches.
+        motion_class: The class of its twist system.
     """
 
     twist_dimension: int
@@ -96,6 +152,7 @@ class Platform:
     couples: int
     finite_motion_types: tuple[str, ...]
     cases: tuple[MotionCase, ...] = ()
+    motion_class: MotionClass | None = None
 
 
 @dataclass(frozen=True)
@@ -115,6 +172,98 @@ class Partition:
     connectivity: int
     redundancy: int
     indeterminacy: int
+
+
+@dataclass(frozen=True)
+class CarriedWrench:
+    """What joints in series transmit while a redundant constraint is prestressed.
+
+    Attributes:
+        joints: Names of the joints.
+        limb: The limb they belong to; empty where they belong to none.
+        kind: ``force``, ``couple`` or ``screw``.
+        coordinates: (f; m) about the base origin as texts; empty where the posture is
+            not given in numbers.
+        description: ``a force along [0, 0, 1] through [1, 2, 0]``; may be empty.
+    """
+
+    joints: tuple[str, ...]
+    limb: str
+    kind: str
+    coordinates: tuple[str, ...] = ()
+    description: str = ""
+
+
+@dataclass(frozen=True)
+class AddedFreedom:
+    """A joint freedom that would remove a redundant constraint.
+
+    Attributes:
+        kind: ``rotation`` or ``translation``.
+        axis: Its direction, as texts.
+        point: A point of a rotation's axis.
+    """
+
+    joint: str
+    kind: str
+    axis: tuple[str, ...]
+    point: tuple[str, ...] = ()
+    description: str = ""
+
+
+@dataclass(frozen=True)
+class Redundancy:
+    """One constraint that follows from the others: a state of self-stress.
+
+    Attributes:
+        carried: Who transmits what; together they balance.
+        removed_by: Freedoms each of which alone would remove it.
+        description: One sentence.
+    """
+
+    carried: tuple[CarriedWrench, ...]
+    removed_by: tuple[AddedFreedom, ...]
+    description: str = ""
+
+
+@dataclass(frozen=True)
+class RemainingFreedom:
+    """One of the freedoms that the closed loops leave.
+
+    Attributes:
+        idle: Whether the platform stays at rest.
+        joints: The freedoms that turn or slide, as written in schemes.
+        bodies: The bodies that move.
+        kind: ``rotation``, ``translation`` or ``screw``; of the platform, or of the
+            bodies that move where they all move alike; empty otherwise.
+        axis: Direction, as texts; empty where the posture is not given in numbers.
+        point: A point of the axis.
+        pitch: ``"0"`` for rotations, empty for translations.
+        description: One sentence.
+    """
+
+    idle: bool
+    joints: tuple[str, ...]
+    bodies: tuple[str, ...]
+    kind: str = ""
+    axis: tuple[str, ...] = ()
+    point: tuple[str, ...] = ()
+    pitch: str = ""
+    description: str = ""
+
+
+@dataclass(frozen=True)
+class Connectivity:
+    """The freedom of every body relative to every other.
+
+    Attributes:
+        bodies: Row and column headings.
+        table: Dimension of the relative twist system; 6 between bodies that nothing
+            connects (3 in planar files).
+    """
+
+    bodies: tuple[str, ...]
+    table: tuple[tuple[int, ...], ...]
 
 
 @dataclass(frozen=True)
@@ -140,6 +289,12 @@ class Mobility:
 
     Attributes:
         platform_name: What the file calls the platform, for sentences.
+        redundancies: The redundant constraints by name: as many as
+            ``redundant_constraints`` unless ``unnamed`` says why not.
+        remaining_freedoms: What is free: as many as ``instantaneous_mobility``.
+        unnamed: Why redundancies or freedoms are not listed; else empty.
+        connectivity: None where there are too many bodies for a table.
+        loose_bodies: Bodies that no joint connects with the base.
     """
 
     case: str
@@ -156,3 +311,8 @@ class Mobility:
     partition: Partition
     at_values: SpecialValues | None = None
     platform_name: str = ""
+    redundancies: tuple[Redundancy, ...] = ()
+    remaining_freedoms: tuple[RemainingFreedom, ...] = ()
+    unnamed: str = ""
+    connectivity: Connectivity | None = None
+    loose_bodies: tuple[str, ...] = ()

@@ -1,0 +1,91 @@
+"""Exact postures: the twist of every freedom modulo a prime.
+
+Symbols without a number get random residues, angles random points of the circle, so
+that ranks are generic; constants get the residues that their relations demand.  Every
+question is put to two postures modulo two primes.
+
+References: [Schwartz1980].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+from screwkit.algebra.constants import ConstantField
+from screwkit.algebra.expression import ZERO, Number
+from screwkit.algebra.modular import ModularRing, ResampleError, prime_for
+from screwkit.algebra.survey import SurveyRing
+from screwkit.errors import UndecidedError
+from screwkit.kinematics.placement import joint_twists
+from screwkit.kinematics.values import with_values
+from screwkit.mechanism.model import Mechanism
+
+ResidueTwist: TypeAlias = tuple[int, ...]
+_ATTEMPTS = 200
+
+
+@dataclass(frozen=True)
+class ExactPosture:
+    """The twists of all freedoms at one posture.
+
+    Attributes:
+        twists: (ω; v) modulo the prime in base axes about the base origin, by label.
+        prime: The modulus.
+        constants: Residues of the generators of the geometry's constants.
+        field: The field of the constants.
+    """
+
+    twists: Mapping[str, ResidueTwist]
+    prime: int
+    constants: Mapping[str, int]
+    field: ConstantField
+
+
+def exact_posture(mechanism: Mechanism, seed: int, bits: int = 61) -> ExactPosture:
+    """A posture of a mechanism, random where it has symbols.
+
+    Args:
+        mechanism: Any mechanism; joint variables count as symbols, but those of
+            ``reference`` files are taken as 0 where loops tie them (see `at_zero`).
+        seed: Chooses the prime and the residues.
+        bits: Size of the prime.
+
+    Raises:
+        UndecidedError: If no posture was found, because a root or an inverse in the
+            geometry does not exist at any of many attempts.
+    """
+    seen = SurveyRing()
+    joint_twists(mechanism, seen, mechanism.base)
+    radicands = [r.value for r in seen.roots if isinstance(r, Number)]
+    field = ConstantField.needed_by(radicands, seen.turn)
+    roots = [*radicands, *field.primes]
+    for attempt in range(_ATTEMPTS):
+        prime = prime_for(seen.turn, roots, seed + 1000 * attempt, bits)
+        ring = ModularRing(seed + attempt, prime, field)
+        try:
+            twists = joint_twists(mechanism, ring, mechanism.base)
+            constants = {g: int(ring.generator(g)) for g in field.generators}
+        except (ResampleError, ZeroDivisionError):
+            continue
+        return ExactPosture(
+            {
+                label: tuple(int(x) for x in twist.coordinates)
+                for label, twist in twists.items()
+            },
+            prime,
+            constants,
+            field,
+        )
+    raise UndecidedError(
+        f"no exact posture was found in {_ATTEMPTS} attempts: a root or an inverse in "
+        f"the geometry may not exist"
+    )
+
+
+def at_zero(mechanism: Mechanism) -> Mechanism:
+    """The mechanism with all joint variables 0."""
+    if mechanism.geometry == "reference":
+        return replace(mechanism, geometry="posture")
+    return with_values(mechanism, dict.fromkeys(mechanism.joint_variables, ZERO))
