@@ -6,13 +6,14 @@ Thin on purpose: each passes the case's assembly to the analysis that answers.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 from screwkit.case import Case
 from screwkit.errors import UndecidedError
 from screwkit.progress import Progress, silent
 from screwkit.results.analysis import Analysis, Undecided
-from screwkit.results.mobility import Mobility
+from screwkit.results.mobility import Mobility, MotionCase
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import Screws
 from screwkit.results.singularities import Singularities
@@ -21,9 +22,22 @@ from screwkit.results.singularities import Singularities
 def mobility(case: Case, progress: Progress = silent) -> Mobility:
     """How movable the mechanism is, by every count, and why they differ."""
     from screwkit.analyses import mobility as analysis  # noqa: PLC0415
+    from screwkit.kinematics.network import Network  # noqa: PLC0415
 
-    progress("mobility", f"{len(case.assembly.joints)} joints")
-    return analysis.mobility(case.assembly)
+    return analysis.mobility(
+        Network(case.mechanism), _motion_cases(case), progress=progress
+    )
+
+
+def _motion_cases(case: Case) -> Callable[[str], tuple[MotionCase, ...]] | None:
+    """Where the motion type changes; None where limbs are no serial chains."""
+    from screwkit.analyses.motion_type import motion_cases  # noqa: PLC0415
+
+    try:
+        assembly = case.assembly
+    except UndecidedError:
+        return None
+    return partial(motion_cases, assembly)
 
 
 def screws(case: Case, order: str = "angular", progress: Progress = silent) -> Screws:

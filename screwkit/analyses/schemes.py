@@ -194,11 +194,11 @@ class _Work:
                     names.add(ring.symbols[number - ring.symbol_indices()[0]])
                 else:
                     names.update(name for name, _ in ring.basis[number])
-        mechanism = self.assembly.mechanism
+        assembly = self.assembly
         return {
             number
-            for number, limb in enumerate(self.assembly.limbs)
-            if any(names & set(mechanism.joint(j).variables) for j in limb.joints)
+            for number, limb in enumerate(assembly.limbs)
+            if any(assembly.variable_of(j) in names for j in limb.joints)
         }
 
     def factors(self) -> tuple[LocusFactor, ...]:
@@ -220,13 +220,14 @@ class _Work:
 def _candidates(
     assembly: Assembly, candidates: Sequence[str] | None
 ) -> tuple[str, ...]:
+    driven = tuple(j for j in assembly.joints if assembly.variable_of(j) is not None)
     if candidates is None:
-        return assembly.joints
+        return driven
     for name in candidates:
-        if name not in assembly.joints:
-            known = ", ".join(assembly.joints)
+        if name not in driven:
+            known = ", ".join(driven)
             raise UnknownNameError(f"no joint {name!r} in a limb; there are {known}")
-    return tuple(joint for joint in assembly.joints if joint in set(candidates))
+    return tuple(joint for joint in driven if joint in set(candidates))
 
 
 def _scheme(work: _Work, actuated: tuple[str, ...], state: PassiveState) -> Scheme:

@@ -116,6 +116,10 @@ def _reciprocal(
 ) -> list[FoundScrew]:
     """Reciprocals of some twists by minors in the short frame, moved to the base."""
     mechanism, ring = assembly.mechanism, assembly.base_twists.ring
+    if mechanism.geometry != "mdh":
+        framed = assembly.base_twists
+        basis = reciprocal_basis(ring, [framed.column(name) for name in joints])
+        return [FoundScrew(column) for column in basis.columns]
     origin = assembly.limb_twists[limb.name].origin
     twists = joint_twists(mechanism, ring, origin, limb.chain)
     columns = [
@@ -153,13 +157,13 @@ def _actuation(
 ) -> list[ActuationWrench]:
     answers = []
     for joint in found.limb.joints:
-        if not assembly.mechanism.joint(joint).variables:
+        if assembly.variable_of(joint) is None:
             continue
         screw = _actuation_wrench(assembly, found, joint)
         answers.append(
             ActuationWrench(
-                joint,
-                0,
+                assembly.joint_of(joint).name,
+                assembly.freedom_of(joint),
                 found.limb.name,
                 None if screw is None else writer.wrench(screw),
             )

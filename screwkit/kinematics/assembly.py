@@ -9,28 +9,27 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from functools import cached_property
 from typing import TypeVar
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.expression import Number
 from screwkit.algebra.factors import FactorLibrary
-from screwkit.algebra.modular import ModularRing, ResampleError, prime_for, rank
+from screwkit.algebra.modular import rank
 from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.errors import UndecidedError
+from screwkit.kinematics.exact_postures import at_zero, exact_posture
 from screwkit.kinematics.frames import (
     FramedTwists,
     framed_twists,
     shortest_twists,
-    survey,
 )
-from screwkit.kinematics.placement import MOVING, joint_twists, table_joints
-from screwkit.kinematics.values import with_values
-from screwkit.mechanism.graph import independent_loops
+from screwkit.kinematics.placement import why_tied
+from screwkit.kinematics.values import declared_values, with_values
+from screwkit.mechanism.graph import Step
 from screwkit.mechanism.graph import limbs as limbs_of
-from screwkit.mechanism.model import Mechanism, freedom_label
+from screwkit.mechanism.joints import RIGID, freedom_labels
+from screwkit.mechanism.model import Joint, Mechanism
 
 T = TypeVar("T")
 
@@ -40,10 +39,11 @@ class SerialLimb:
     """A chain from base to platform.
 
     Attributes:
-        joints: Names of its moving joints, from base to platform.
-        signs: +1 where a joint points towards the platform, −1 where back.
+        joints: Its freedoms from base to platform: the name of a joint, or ``name:k``
+            where it has several.
+        signs: +1 where a joint points towards the platform, −1 where back; by freedom.
         chain: All its joints, fixed ones included.
-        links: The links it passes, base first, as far as the table places them.
+        links: The links it passes, base first, as far as an mdh table places them.
     """
 
     name: str
@@ -65,13 +65,14 @@ class Assembly:
     def __init__(self, mechanism: Mechanism) -> None:
         """Resolve the limbs.
 
+        Where loops tie joint variables together the posture of the file is taken.
+
         Raises:
-            UndecidedError: If a limb is no serial chain, is not placed by the table, or
-                the mechanism has loops outside its limbs.
+            UndecidedError: If a limb is no serial chain, or is not placed by the table.
         """
-        self.mechanism = mechanism
-        table_joints(mechanism)
-        self.limbs = _serial_limbs(mechanism)
+        self.tied = why_tied(mechanism)
+        self.mechanism = at_zero(mechanism) if self.tied else mechanism
+        self.limbs = _serial_limbs(self.mechanism)
         self.assumptions = Assumptions(
             positive=frozenset(p.name for p in mechanism.parameters if p.positive),
             nonzero=frozenset(
@@ -79,39 +80,17 @@ class Assembly:
             ),
         )
         self._libraries: dict[TrigonometricRing, FactorLibrary] = {}
-        self.loops = independent_loops(mechanism)
-        closed = max(0, len(self.limbs) - 1)
-        if self.loops != closed:
-            raise UndecidedError(
-                f"the graph has {self.loops} independent loops, "
-                f"of which the limbs close {closed}; loops outside or inside limbs are "
-                f"not analysed yet"
-            )
 
     @cached_property
     def at_values(self) -> Assembly | None:
         """The same mechanism with the file's values put in for its symbols."""
-        values = {
-            p.name: p.value for p in self.mechanism.parameters if p.value is not None
-        }
-        if not values:
-            return None
-        return Assembly(with_values(self.mechanism, values))
+        values = declared_values(self.mechanism)
+        return Assembly(with_values(self.mechanism, values)) if values else None
 
     @cached_property
     def joints(self) -> tuple[str, ...]:
-        """The moving joints of all limbs, limb by limb."""
+        """The freedoms of all limbs, limb by limb."""
         return tuple(name for limb in self.limbs for name in limb.joints)
-
-    @cached_property
-    def free_joints(self) -> tuple[str, ...]:
-        """Moving joints outside every limb: each adds one mobility of its own."""
-        inside = set(self.joints)
-        return tuple(
-            joint.name
-            for joint in self.mechanism.joints
-            if joint.type in MOVING and joint.name not in inside
-        )
 
     @cached_property
     def limb_twists(self) -> Mapping[str, FramedTwists]:
@@ -147,24 +126,9 @@ class Assembly:
 
         Independent of the polynomials: the kinematics is run over residues.
         """
-        seen = survey(self.mechanism, self._chains, self.mechanism.base)
-        radicands = [r.value for r in seen.roots if isinstance(r, Number)]
-        if seen.turn:
-            radicands += [Fraction(2), Fraction(3)]
-        for attempt in range(200):
-            prime = prime_for(seen.turn, radicands, seed + 1000 * attempt, bits)
-            ring = ModularRing(seed + attempt, prime)
-            try:
-                twists = joint_twists(
-                    self.mechanism, ring, self.mechanism.base, self._chains
-                )
-            except ResampleError:
-                continue
-            return {
-                name: [int(x) for x in twist.coordinates]
-                for name, twist in twists.items()
-            }, prime
-        raise UndecidedError("no random exact posture was found in 200 attempts")
+        posture = exact_posture(self.mechanism, seed, bits)
+        found = {label: [*twist] for label, twist in posture.twists.items()}
+        return found, posture.prime
 
     @cached_property
     def random_postures(self) -> tuple[tuple[dict[str, list[int]], int], ...]:
@@ -212,9 +176,26 @@ class Assembly:
             self._libraries[ring] = FactorLibrary(ring)
         return self._libraries[ring]
 
-    def label(self, joint: str) -> str:
-        """How the freedom of a joint is written in schemes."""
-        return freedom_label(self.mechanism.joint(joint), 0)
+    def joint_of(self, label: str) -> Joint:
+        """The joint of a freedom."""
+        return self.mechanism.joint(self._names[label])
+
+    def variable_of(self, label: str) -> str | None:
+        """The joint variable of a freedom; None for freedoms of contacts."""
+        joint = self.joint_of(label)
+        return joint.variables[self.freedom_of(label)] if joint.variables else None
+
+    def freedom_of(self, label: str) -> int:
+        """Which of its joint's freedoms it is, from 0."""
+        return freedom_labels(self.joint_of(label), self.mechanism.space).index(label)
+
+    @cached_property
+    def _names(self) -> Mapping[str, str]:
+        return {
+            label: joint.name
+            for joint in self.mechanism.joints
+            for label in freedom_labels(joint, self.mechanism.space)
+        }
 
 
 def loop_rows(limbs: Sequence[Sequence[Sequence[T]]]) -> list[list[T]]:
@@ -239,31 +220,36 @@ def _serial_limbs(mechanism: Mechanism) -> tuple[SerialLimb, ...]:
     for limb in limbs_of(mechanism):
         if limb.path is None:
             raise UndecidedError(
-                f"limb {limb.name!r} is no serial chain; hybrid limbs are not analysed "
-                f"yet"
+                f"limb {limb.name!r} is no serial chain; its screws are found at exact "
+                f"postures (`mobility`), not yet as expressions"
             )
-        links, at = [mechanism.base], mechanism.base
-        moving, signs = [], []
-        grasped = False
-        for name, sign in limb.path:
-            joint = mechanism.joint(name)
-            at = joint.child if sign > 0 else joint.parent
-            if joint.mdh is None:
-                grasped = True
-                continue
-            if grasped:
-                raise UndecidedError(
-                    f"limb {limb.name!r}: joint {name!r} follows a joint without a row "
-                    f"of the table, so nothing places it"
-                )
-            links.append(at)
-            if joint.type in MOVING:
-                moving.append(name)
-                signs.append(sign)
-        chain = tuple(
-            name for name, _ in limb.path if mechanism.joint(name).mdh is not None
-        )
-        found.append(
-            SerialLimb(limb.name, tuple(moving), tuple(signs), chain, tuple(links))
-        )
+        found.append(_serial_limb(mechanism, limb.name, limb.path))
     return tuple(found)
+
+
+def _serial_limb(mechanism: Mechanism, name: str, path: Sequence[Step]) -> SerialLimb:
+    links, at = [mechanism.base], mechanism.base
+    labels: list[str] = []
+    signs: list[int] = []
+    chain: list[str] = []
+    table = mechanism.geometry == "mdh"
+    grasped = False
+    for joint_name, sign in path:
+        joint = mechanism.joint(joint_name)
+        at = joint.child if sign > 0 else joint.parent
+        if table and joint.mdh is None:
+            grasped = True
+            if joint.type in RIGID:
+                continue
+        elif grasped:
+            raise UndecidedError(
+                f"limb {name!r}: joint {joint_name!r} follows a joint without a row "
+                f"of the table, so nothing places it"
+            )
+        elif table:
+            links.append(at)
+        chain.append(joint_name)
+        own = freedom_labels(joint, mechanism.space)
+        labels += own if sign > 0 else reversed(own)
+        signs += [sign] * len(own)
+    return SerialLimb(name, tuple(labels), tuple(signs), tuple(chain), tuple(links))

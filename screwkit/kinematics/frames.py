@@ -24,6 +24,7 @@ from screwkit.algebra.trigonometric import (
 )
 from screwkit.kinematics.freedoms import JointTwist
 from screwkit.kinematics.placement import joint_twists, table_joints
+from screwkit.mechanism.joints import freedom_labels
 from screwkit.mechanism.model import Joint, JointType, MdhRow, Mechanism
 from screwkit.screw import vector
 from screwkit.screw.vector import Vector
@@ -35,7 +36,7 @@ class FramedTwists:
 
     Attributes:
         origin: The link whose frame is used.
-        joints: Names, in the order of ``columns``.
+        joints: The freedoms by their labels, in the order of ``columns``.
         columns: Six polynomials each, (ω; v), cleared of divisors.
         points: A point of each axis.
         limbs: Joint names limb by limb, where several limbs are placed together.
@@ -82,7 +83,7 @@ def framed_twists(
     """The twists of ``joints`` in the frame of ``origin``.
 
     Args:
-        mechanism: An ``mdh`` mechanism.
+        mechanism: Any mechanism.
         joints: Names of the joints, fixed ones included where they carry a row.
         origin: A link that the rows of these joints connect with them.
         merged: Take sums of angles of parallel axes as basis angles.
@@ -90,12 +91,13 @@ def framed_twists(
     seen = survey(mechanism, joints, origin)
     plain = TrigonometricRing(seen)
     basis = plain_basis(tuple(seen.angles))
-    if merged:
+    if merged and mechanism.geometry == "mdh":
         basis = parallel_basis(mechanism, joints, origin, plain)
     same = basis == plain_basis(tuple(seen.angles))
     ring = plain if same else TrigonometricRing(seen, basis)
     twists = joint_twists(mechanism, ring, origin, joints)
-    ordered = [name for name in joints if name in twists]
+    own = {j.name: freedom_labels(j, mechanism.space) for j in mechanism.joints}
+    ordered = [x for name in joints for x in own[name] if x in twists]
     return FramedTwists(
         ring,
         origin,

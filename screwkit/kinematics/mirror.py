@@ -21,7 +21,7 @@ Signs = tuple[int, int, int]
 
 def mirrored_joints(assembly: Assembly) -> tuple[tuple[str, str], ...]:
     """Pairs of joints of two limbs that a symmetry exchanges; empty without one."""
-    if len(assembly.limbs) != 2:
+    if len(assembly.limbs) != 2 or assembly.mechanism.geometry != "mdh":
         return ()
     first, second = assembly.limbs
     if len(first.joints) != len(second.joints):
@@ -102,8 +102,9 @@ def _links(
     links = {}
     pairs = zip(pair[0].joints, pair[1].joints, strict=True)
     for (a, b), (sign, shifted) in zip(pairs, turns, strict=False):
-        variable = assembly.mechanism.joint(a).variables[0]
-        links[assembly.mechanism.joint(b).variables[0]] = (variable, sign, shifted)
+        variable, other = assembly.variable_of(a), assembly.variable_of(b)
+        if variable is not None and other is not None:
+            links[other] = (variable, sign, shifted)
     return links
 
 

@@ -42,7 +42,7 @@ def _shared_axis(assembly: Assembly, passive: Collection[str]) -> str | None:
     for joints in product(*choices):
         if len(joints) > 1 and _same_twist(assembly, joints):
             names = listed(joints)
-            kind = str(assembly.mechanism.joint(joints[0]).type)
+            kind = str(assembly.joint_of(joints[0]).type)
             if kind == "revolute":
                 return (
                     f"axes {names} are one line and passive: "

@@ -1,0 +1,39 @@
+"""The platform's freedoms: its twist system, the wrenches that leave it, its class."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from screwkit.kinematics.network import Motion
+from screwkit.kinematics.subspaces import dimension, reciprocal
+from screwkit.results.mobility import FullCycle, Platform
+
+OUT_OF_PLANE = ((1, 0, 0, 0, 0, 0), (0, 1, 0, 0, 0, 0), (0, 0, 0, 0, 0, 1))
+"""The twists that a planar file does not speak of."""
+
+
+def platform(at: Motion) -> Platform:
+    """Dimensions and type at an exact posture."""
+    prime, twists = at.posture.prime, at.platform_twists
+    around = list(OUT_OF_PLANE) if len(at.network.rows) == 3 else []
+    wrenches = reciprocal([*twists, *around], prime)
+    directions = dimension([twist[:3] for twist in twists], prime)
+    forces = dimension([wrench[:3] for wrench in wrenches], prime)
+    translations = len(twists) - directions
+    return Platform(
+        twist_dimension=len(twists),
+        translations=translations,
+        rotations=directions,
+        motion_type=f"{translations}T{directions}R",
+        wrench_dimension=len(wrenches),
+        couples=len(wrenches) - forces,
+        finite_motion_types=(),
+    )
+
+
+def finite_types(about: Platform, cycle: FullCycle) -> Platform:
+    """With the motion types of the finite branches, each once, in a fixed order."""
+    types = sorted({branch.motion_type for branch in cycle.branches if branch.mobility})
+    if not types and cycle.status == "proved" and any(cycle.mobility):
+        types = [about.motion_type]
+    return replace(about, finite_motion_types=tuple(types))
