@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from screwkit.algebra.expression import Number
 from screwkit.algebra.names import did_you_mean
 from screwkit.algebra.parse import parse
-from screwkit.errors import UnknownCaseError, UnknownNameError
+from screwkit.errors import ExpressionError, UnknownCaseError, UnknownNameError
 from screwkit.mechanism.files import read_mechanism
 from screwkit.mechanism.graph import actuable_freedoms
 from screwkit.mechanism.model import (
@@ -189,7 +189,13 @@ def _with_numbers(mechanism: Mechanism, values: Mapping[str, object]) -> Mechani
             raise UnknownNameError(
                 f"{parameter.name} is declared positive; {value.value} is not"
             )
-    return with_values(mechanism, expressions)
+    try:
+        return with_values(mechanism, expressions)
+    except ZeroDivisionError:
+        names = ", ".join(values)
+        raise ExpressionError(
+            f"{mechanism.name} divides by zero at these values of {names}"
+        ) from None
 
 
 def _with_actuated(mechanism: Mechanism, actuated: Sequence[str]) -> Mechanism:

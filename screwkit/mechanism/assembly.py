@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from screwkit.algebra.expression import ONE, ZERO, Expression
-from screwkit.algebra.names import did_you_mean, shown
+from screwkit.algebra.names import shown
 from screwkit.algebra.vector_expression import VectorExpression
 from screwkit.mechanism.actuation import read_actuation, read_weights
 from screwkit.mechanism.claim_entries import read_claims
@@ -32,7 +32,7 @@ from screwkit.mechanism.nodes import (
     find,
 )
 from screwkit.mechanism.places import read_places, read_pose
-from screwkit.mechanism.reading import Reading
+from screwkit.mechanism.reading import Reading, unknown_link
 from screwkit.mechanism.schema import MdhEntry, MechanismEntry
 from screwkit.mechanism.structure import Draft
 from screwkit.mechanism.symbols import (
@@ -40,7 +40,7 @@ from screwkit.mechanism.symbols import (
     read_parameters,
     read_variables,
 )
-from screwkit.mechanism.variants import read_variants
+from screwkit.mechanism.variants import check_values, read_variants
 
 
 def assembled(draft: Draft, faults: Faults) -> Mechanism:
@@ -92,6 +92,7 @@ def assembled(draft: Draft, faults: Faults) -> Mechanism:
         known_for=_line(entry.known_for, ("known_for",), reading),
         variants=read_variants(draft, written, reading),
     )
+    check_values(parameters, mechanism.variants, reading)
     check_limb_names(mechanism, draft, reading)
     return mechanism
 
@@ -102,32 +103,37 @@ def check_links(draft: Draft, reading: Reading) -> None:
     links_known = "links" not in draft.broken
     for position, link in enumerate(entry.links):
         if link in entry.links[:position]:
-            reading.fault(("links", position), f"the link {shown(link)} stands twice")
+            reading.fault(
+                ("links", position),
+                f"the link {shown(link)} stands twice; list every body once",
+            )
     for key, link in (("base", entry.base), ("platform", entry.platform)):
         if links_known and key not in draft.broken and link not in entry.links:
-            near = did_you_mean(link, entry.links)
-            reading.fault((key,), f"unknown link {shown(link)}{near}")
+            reading.fault((key,), unknown_link(link, entry.links))
     # A lone body is base and platform in one; anywhere else this is a slip.
     same = entry.base == entry.platform and not draft.broken & {"base", "platform"}
     if same and len(entry.links) > 1:
-        reading.fault(("platform",), "base and platform are the same link")
+        reading.fault(
+            ("platform",), "base and platform are the same link; name two bodies"
+        )
     first: dict[str, int] = {}
     for joint, position in zip(entry.joints, draft.positions, strict=True):
         path: Path = ("joints", position)
         if joint.name in first:
             line = reading.place(("joints", first[joint.name])).line
             reading.fault(
-                (*path, "name"), f"a joint of this name stands in line {line} already"
+                (*path, "name"),
+                f"a joint of this name stands in line {line} already; rename one",
             )
         first.setdefault(joint.name, position)
         for key, link in (("parent", joint.parent), ("child", joint.child)):
             if links_known and link not in entry.links:
-                near = did_you_mean(link, entry.links)
-                reading.fault((*path, key), f"unknown link {shown(link)}{near}")
+                reading.fault((*path, key), unknown_link(link, entry.links))
         if joint.parent == joint.child:
             reading.fault(
                 (*path, "child"),
-                f"the joint connects {shown(joint.parent)} to itself",
+                f"the joint connects {shown(joint.parent)} to itself; parent and child "
+                f"are two bodies",
             )
 
 

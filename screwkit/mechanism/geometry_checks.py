@@ -1,7 +1,7 @@
 """Whether every joint is placed: axes present, not zero, not parallel; rows complete.
 
-What can be decided from constants is decided; an axis with symbols in it is taken as
-it is.
+An axis with symbols in it is refused only where it is zero for all their values, or at
+those that the file gives them.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Final
 
-from screwkit.algebra.closed_values import closed_value
+from screwkit.algebra.expression_building import symbols_of
 from screwkit.algebra.names import shown
 from screwkit.algebra.vector_expression import VectorExpression, cross, dot
 from screwkit.mechanism.joints import (
@@ -22,8 +22,10 @@ from screwkit.mechanism.joints import (
 from screwkit.mechanism.model import Joint, JointType
 from screwkit.mechanism.nodes import Path, find
 from screwkit.mechanism.reading import Reading
+from screwkit.mechanism.requirements import Requirement, nonzero
 from screwkit.mechanism.schema import MechanismEntry
 from screwkit.mechanism.structure import Draft
+from screwkit.mechanism.vanishing import is_zero
 
 _NEEDED: Final[dict[JointType, tuple[str, ...]]] = {
     JointType.REVOLUTE: ("axis", "point"),
@@ -49,7 +51,6 @@ _GIVEN_IN_PLANE: Final = {
     JointType.LINE: ("line",),
 }
 """What follows from the plane of a planar file: the axis is z."""
-_TINY: Final = 1e-12
 
 
 def check_kind(entry_type: str, path: Path, draft: Draft, reading: Reading) -> bool:
@@ -123,26 +124,28 @@ def _check_directions(joint: Joint, path: Path, reading: Reading) -> None:
     if len(joint.axes) == 1:
         named.append(("axis", joint.axes[0]))
     for key, direction in named:
-        if direction is not None and _is_zero(direction):
-            reading.fault((*path, key), "the direction is zero; it must be a vector")
+        if direction is not None:
+            reading.require((*path, key), _direction(f"the {key}", direction))
     if len(joint.axes) == 2:
-        zero = [_is_zero(axis) for axis in joint.axes]
-        for number, is_zero in enumerate(zero):
-            if is_zero:
-                reading.fault(
-                    (*path, "axes", number),
-                    "the direction is zero; it must be a vector",
-                )
-        if not any(zero) and _is_zero(cross(*joint.axes)):
-            reading.fault(
-                (*path, "axes"), "the two axes of a universal joint are parallel"
-            )
+        present = [
+            reading.require((*path, "axes", i), _direction("the axis", axis))
+            for i, axis in enumerate(joint.axes)
+        ]
+        if all(present):
+            words = "the two axes of a universal joint are parallel"
+            advice = "give two directions, or write a revolute joint"
+            crossed = nonzero(cross(*joint.axes), words, advice)
+            reading.require((*path, "axes"), crossed)
     if joint.normal is not None and joint.line is not None:
-        product = closed_value(dot(joint.normal, joint.line))
-        if product is not None and abs(product) > _TINY * 1e3:
+        product = dot(joint.normal, joint.line)
+        if not symbols_of(product) and is_zero(product) is False:
             reading.fault(
                 (*path, "line"), "the line of contact is not at right angles to normal"
             )
+
+
+def _direction(what: str, direction: VectorExpression) -> Requirement:
+    return nonzero(direction, f"{what} is zero", "write a direction such as [0, 0, 1]")
 
 
 def _check_plane(joint: Joint, path: Path, reading: Reading) -> None:
@@ -154,15 +157,9 @@ def _check_plane(joint: Joint, path: Path, reading: Reading) -> None:
     )
     for key, (x, y, z) in directions:
         out = (x, y) if about_z else (z,)
-        values = [closed_value(part) for part in out]
-        if any(value is not None and abs(value) > _TINY for value in values):
+        if any(is_zero(part) is False for part in out):
             where = "along z" if about_z else "in the xy plane"
             reading.fault((*path, key), f"in a planar file this direction is {where}")
-
-
-def _is_zero(vector: VectorExpression) -> bool:
-    values = [closed_value(part) for part in vector]
-    return all(value is not None and abs(value) < _TINY for value in values)
 
 
 def check_antecedents(

@@ -20,7 +20,7 @@ from screwkit.algebra.expression_building import (
     quotient,
     subtract,
 )
-from screwkit.algebra.names import RESERVED, did_you_mean, shown, why_no_symbol
+from screwkit.algebra.names import RESERVED, shown, why_no_symbol
 from screwkit.algebra.tokens import names_in
 from screwkit.algebra.vector_expression import (
     ZERO_VECTOR,
@@ -30,7 +30,8 @@ from screwkit.algebra.vector_expression import (
 )
 from screwkit.mechanism.model import Pose
 from screwkit.mechanism.nodes import Path, find
-from screwkit.mechanism.reading import Reading
+from screwkit.mechanism.reading import Reading, unknown_link
+from screwkit.mechanism.requirements import nonzero
 from screwkit.mechanism.schema import RotationEntry, VectorEntry
 from screwkit.mechanism.structure import Draft
 
@@ -56,6 +57,7 @@ def read_pose(draft: Draft, reading: Reading) -> Pose | None:
             f"pose: only `geometry: posture` files have a pose of the platform, "
             f"this one is {draft.entry.geometry!r}",
         )
+    _check_pose_is_used(draft, reading)
     path: Path = ("pose", "translation")
     translation: VectorExpression | None = ZERO_VECTOR
     if entry.translation is not None:
@@ -63,9 +65,24 @@ def read_pose(draft: Draft, reading: Reading) -> Pose | None:
     rotation: Matrix | None = IDENTITY
     if entry.rotation is not None:
         rotation = _rotation(entry.rotation, ("pose", "rotation"), reading)
+        reading.vouch(part for row in rotation or () for part in row)
     if translation is None or rotation is None:
         return None
     return Pose(translation, rotation)
+
+
+def _check_pose_is_used(draft: Draft, reading: Reading) -> None:
+    """A pose acts on what stands in the platform's frame; there must be something."""
+    entry = draft.entry
+    places = [*entry.points.values(), *entry.vectors.values()]
+    unsure = draft.broken & {"platform", "points", "vectors"} or draft.lost_names
+    if unsure or any(place.link not in {None, entry.base} for place in places):
+        return
+    reading.fault_at_key(
+        ("pose",),
+        f"pose: no point or vector is given in the platform's frame, so that the pose "
+        f"moves nothing; declare them with `link: {entry.platform}`",
+    )
 
 
 def _rotation(entry: RotationEntry, path: Path, reading: Reading) -> Matrix | None:
@@ -99,8 +116,8 @@ def _from_axis(entry: RotationEntry, path: Path, reading: Reading) -> Matrix | N
         axis = reading.vector((*path, "axis"), entry.axis)
     if angle is None or axis is None:
         return None
-    if axis == ZERO_VECTOR:
-        reading.fault((*path, "axis"), "the axis is zero")
+    required = nonzero(axis, "the axis is zero", "write a direction such as [0, 0, 1]")
+    if not reading.require((*path, "axis"), required):
         return None
     return _about(axis, angle)
 
@@ -141,8 +158,8 @@ def _from_quaternion(
         return None
     w, x, y, z = parts
     square = add(*(power(part, 2) for part in parts))
-    if square == ZERO:
-        reading.fault(path, "the quaternion is zero")
+    advice = "the unit quaternion is [1, 0, 0, 0]"
+    if not reading.require(path, nonzero(parts, "the quaternion is zero", advice)):
         return None
 
     def twice(a: Expression, b: Expression) -> Expression:
@@ -290,8 +307,15 @@ def _placed(
     value = reading.vector(inner, entry.at)
     if entry.link is not None and entry.link not in draft.entry.links:
         if "links" not in draft.broken:
-            near = did_you_mean(entry.link, draft.entry.links)
-            reading.fault((*path, "link"), f"unknown link {shown(entry.link)}{near}")
+            words = unknown_link(entry.link, draft.entry.links)
+            reading.fault((*path, "link"), words)
+        return None
+    if not _has_frame(entry.link, draft):
+        reading.fault(
+            (*path, "link"),
+            f"the frame of {shown(entry.link or '')} is not known; only the platform "
+            f"{shown(draft.entry.platform)} has a pose: give base coordinates",
+        )
         return None
     if value is None or entry.link != draft.entry.platform or pose is None:
         return value
@@ -299,3 +323,14 @@ def _placed(
     if path[0] == "vectors":
         return turned
     return add_vectors(pose.translation, turned)
+
+
+def _has_frame(link: str | None, draft: Draft) -> bool:
+    """Whether coordinates in the frame of a body have a meaning.
+
+    At the zero posture of a ``reference`` file all frames are that of the base.
+    """
+    entry = draft.entry
+    known = {None, entry.base, entry.platform}
+    unsure = draft.broken & {"geometry", "base", "platform"}
+    return link in known or entry.geometry == "reference" or bool(unsure)

@@ -6,8 +6,9 @@ something already reported is passed over in silence.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from typing import Final
 
 from screwkit.algebra.expression import ZERO, Expression
 from screwkit.algebra.names import RESERVED, did_you_mean, shown
@@ -16,7 +17,11 @@ from screwkit.algebra.tokens import names_in
 from screwkit.algebra.vector_expression import VectorExpression
 from screwkit.errors import ExpressionError
 from screwkit.mechanism.nodes import Faults, Node, Path, Place, key_place_of, place_of
+from screwkit.mechanism.requirements import Requirement, requirements_of
 from screwkit.mechanism.structure import subject
+
+_SOME: Final = 8
+"""How many names a message lists."""
 
 
 @dataclass
@@ -28,6 +33,7 @@ class Reading:
         vectors: The named points and vectors read so far.
         lost: Names whose declaration is at fault.
         planar: Whether points may have two components.
+        required: What must hold at the values too, and where it is written.
     """
 
     root: Node
@@ -36,6 +42,8 @@ class Reading:
     vectors: dict[str, VectorExpression] = field(default_factory=dict)
     lost: frozenset[str] = frozenset()
     planar: bool = False
+    required: list[tuple[Path, Requirement]] = field(default_factory=list)
+    _met: set[Requirement] = field(default_factory=set)
 
     def fault(self, path: Path, message: str, offset: int | None = None) -> None:
         """Note a fault in what stands at ``path``."""
@@ -58,10 +66,11 @@ class Reading:
         if not self._are_known(path, text, allowed):
             return None
         try:
-            return parse(text, allowed, vectors=self.vectors)
+            read = parse(text, allowed, vectors=self.vectors)
         except ExpressionError as error:
             self.fault(path, str(error), error.position)
             return None
+        return read if self._has_sense(path, read) else None
 
     def vector(
         self, path: Path, written: str | tuple[str, ...]
@@ -71,16 +80,40 @@ class Reading:
             if not self._are_known(path, written, self.names):
                 return None
             try:
-                return parse_vector(written, self.names, vectors=self.vectors)
+                vector = parse_vector(written, self.names, vectors=self.vectors)
             except ExpressionError as error:
                 self.fault(path, str(error), error.position)
                 return None
+            return vector if self._has_sense(path, *vector) else None
         if len(written) == 2 and not self.planar:
             self.fault(path, "a vector has three coordinates, but 2 were found")
             return None
         read = [self.scalar((*path, i), text) for i, text in enumerate(written)]
         x, y, z = [*read, ZERO] if len(read) == 2 else read
         return None if x is None or y is None or z is None else (x, y, z)
+
+    def require(self, path: Path, requirement: Requirement) -> bool:
+        """Report what fails for all values; the rest waits for those of the file."""
+        if requirement.fails:
+            self.fault(path, requirement.message())
+            return False
+        if requirement.symbols:
+            self.required.append((path, requirement))
+        return True
+
+    def vouch(self, expressions: Iterable[Expression]) -> None:
+        """Take these expressions as checked: they are built, and a fault is known."""
+        self._met.update(r for e in expressions for r in requirements_of(e))
+
+    def _has_sense(self, path: Path, *expressions: Expression) -> bool:
+        """Require real values, once for what named vectors spread over the file."""
+        fulfilled = True
+        for expression in expressions:
+            for requirement in requirements_of(expression):
+                if requirement not in self._met:
+                    self._met.add(requirement)
+                    fulfilled = self.require(path, requirement) and fulfilled
+        return fulfilled
 
     def _are_known(self, path: Path, text: str, allowed: frozenset[str]) -> bool:
         """Report unknown names; those called like functions the parser explains."""
@@ -95,3 +128,12 @@ class Reading:
                 near = did_you_mean(name, {*allowed, *self.vectors, *RESERVED})
                 self.fault(path, f"unknown name {shown(name)}{near}", position)
         return known
+
+
+def unknown_link(name: str, links: Sequence[str]) -> str:
+    """A body that is not listed, with the nearest that is, or with some of them."""
+    near = did_you_mean(name, links)
+    if not near and links:
+        more = ", …" if len(links) > _SOME else ""
+        near = f"; the links are {', '.join(links[:_SOME])}{more}"
+    return f"unknown link {shown(name)}{near}"

@@ -198,9 +198,10 @@ def _sentence(root: Mapping, fault: Any) -> tuple[Place, str]:
             options = _keys_of(path[:-1], root)
             holder = f"{subject(root, path[:-1])}: " if len(path) > 1 else ""
             key = str(path[-1])
+            whose = "; the pose is that of the platform" if path[0] == "pose" else ""
             return key_place_of(root, path), (
                 f"{holder}unknown key {shown(key)}{did_you_mean(key, options)}; "
-                f"allowed: {', '.join(options)}"
+                f"allowed: {', '.join(options)}{whose}"
             )
         case "union_tag_invalid" | "union_tag_not_found":
             return _wrong_type(root, path, found)
@@ -228,7 +229,9 @@ def _missing(root: Mapping, path: Path) -> str:
     if path == ("screwkit",):
         return "the format version is missing; start the file with `screwkit: 1`"
     holder = f"{subject(root, path[:-1])}: " if len(path) > 1 else ""
-    return f"{holder}the key {str(key)!r} is missing"
+    if isinstance(key, int):
+        return f"{holder}two entries are expected, but {key} stand here"
+    return f"{holder}the key {key!r} is missing"
 
 
 def _wrong_type(root: Mapping, path: Path, found: Any) -> tuple[Place, str]:

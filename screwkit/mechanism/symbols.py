@@ -18,6 +18,7 @@ from screwkit.mechanism.joints import CATALOGUE, variable_count
 from screwkit.mechanism.model import JointType, Parameter, Space
 from screwkit.mechanism.nodes import Path, find
 from screwkit.mechanism.reading import Reading
+from screwkit.mechanism.requirements import requirements_of
 from screwkit.mechanism.schema import MechanismEntry, ParameterEntry, VariableEntry
 from screwkit.mechanism.structure import Draft
 
@@ -94,8 +95,6 @@ def _closed(
 ) -> dict[str, Expression]:
     """The values with parameters put in for their names; faults where none come out."""
     closed, divided = closed_values_of(raw)
-    for name in divided:
-        reading.fault(_value_path(entries[name][0], reading), "division by zero")
     for name, value in raw.items():
         if name in closed or name in divided:
             continue
@@ -112,6 +111,8 @@ def closed_values_of(
     written: Mapping[str, Expression],
 ) -> tuple[dict[str, Expression], frozenset[str]]:
     """The values without symbols, and the names whose values divide by zero.
+
+    `Requirement` reports these divisions, with all others at the values of the file.
 
     Values that depend on themselves or on a symbol without value are in neither.
     """
@@ -139,7 +140,8 @@ def check_assumptions(parameter: Parameter, path: Path, reading: Reading) -> Non
         return
     value = closed_value(parameter.value)
     if value is None:
-        reading.fault(path, "the value is no real number")
+        if not any(r.fails for r in requirements_of(parameter.value)):
+            reading.fault(path, "the value is no real number")
     elif parameter.positive and value <= 0:
         reading.fault(path, f"declared positive, but the value is {value:g}")
     elif parameter.nonzero and value == 0:

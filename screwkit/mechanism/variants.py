@@ -7,6 +7,7 @@ holds for it, and what is special about its values shows beside that.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -14,11 +15,11 @@ from screwkit.algebra.expression import Expression
 from screwkit.algebra.expression_building import symbols_of
 from screwkit.algebra.names import did_you_mean, shown
 from screwkit.mechanism.claim_entries import read_claims
-from screwkit.mechanism.model import Mechanism, Variant
+from screwkit.mechanism.model import Mechanism, Parameter, Variant
 from screwkit.mechanism.nodes import Path
 from screwkit.mechanism.reading import Reading
 from screwkit.mechanism.schema import VariantEntry
-from screwkit.mechanism.structure import Draft
+from screwkit.mechanism.structure import Draft, subject
 from screwkit.mechanism.symbols import (
     Declared,
     check_assumptions,
@@ -82,22 +83,39 @@ def _changed(
     own: dict[str, Expression], name: str, declared: Declared, reading: Reading
 ) -> dict[str, Expression]:
     """The variant's values, with those of parameters that are computed from them."""
-    closed, divided = closed_values_of({**declared.written, **own})
+    closed, _ = closed_values_of({**declared.written, **own})
     values = dict(own)
     for parameter in declared.parameters:
         symbol = parameter.name
         path: Path = ("variants", name, "values")
         if symbol in own:
             path = (*path, symbol)
-        elif symbol in divided:
-            if parameter.value is not None:
-                reading.fault(path, f"the value of {symbol!r} divides by zero here")
-            continue
         elif closed.get(symbol) in {None, parameter.value}:
             continue
         values[symbol] = closed[symbol]
         check_assumptions(replace(parameter, value=values[symbol]), path, reading)
     return values
+
+
+def check_values(
+    parameters: Sequence[Parameter], variants: Sequence[Variant], reading: Reading
+) -> None:
+    """Report what fails at the values of the file, or of a variant alone."""
+    own = {p.name: p.value for p in parameters if p.value is not None}
+    sound = []
+    for path, requirement in reading.required:
+        if requirement.fails_at(own):
+            reading.fault(path, requirement.message(" at the values of the file"))
+        else:
+            sound.append((path, requirement, requirement.symbols))
+    for variant in variants:
+        holder: Path = ("variants", variant.name, "values")
+        where = f" at the values of variant {variant.name!r}"
+        values = {**own, **variant.values}
+        for path, requirement, symbols in sound:
+            if symbols & variant.values.keys() and requirement.fails_at(values):
+                what = f"{subject(reading.root, path)}: {requirement.message(where)}"
+                reading.faults.add(reading.place(holder), what)
 
 
 def at_variant(mechanism: Mechanism, variant: Variant) -> Mechanism:

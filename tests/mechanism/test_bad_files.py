@@ -58,11 +58,15 @@ def test_the_four_bar_itself_is_right() -> None:
         ("name: C", "name: §B", "of this name stands in line 11 already"),
         ("[base, crank,", "[base, crank, §crank,", "'crank' stands twice"),
         ("child: base", "child: §ground", "joint 'D', child: unknown link 'ground'"),
-        ("[0, 0, 1], point: [4", "§[0, 0, 0], point: [4", "'C', axis: the direction"),
+        (
+            "[0, 0, 1], point: [4",
+            "§[0, 0, 0], point: [4",
+            "'C', axis: the axis is zero",
+        ),
         (
             "[0, 0, 1], point: [4",
             "§[0, sin(pi), sqrt(2) - sqrt(2)], point: [4",
-            "joint 'C', axis: the direction is zero",
+            "joint 'C', axis: the axis is zero",
         ),
         ("child: rocker", "child: §coupler", "connects 'coupler' to itself"),
         ("C, type: revolute", "C, type: §Q", "type: unknown 'Q'; allowed:"),
