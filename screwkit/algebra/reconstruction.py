@@ -1,0 +1,312 @@
+"""From residues modulo two primes back to the exact number.
+
+A number of the geometry's constant field is a short integer combination of a few known
+irrationalities over a short denominator.  Modulo both primes at once such combinations
+form a lattice; its shortest vector, if it is far shorter than chance allows, is the
+number.  Where no such vector exists the answer is None, never the nearest guess.
+
+References: [LenstraLenstraLovasz1982], [WangGuyDavenport1982].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import combinations, product
+from math import gcd, lcm, prod
+
+from flint import arb, ctx, fmpq, fmpz_mat, nmod_poly
+
+from screwkit.algebra.constants import ConstantField
+from screwkit.algebra.expression import Expression, Number, Pi
+from screwkit.algebra.expression_building import add, call, multiply
+from screwkit.algebra.modular import ModularRing, ResampleError
+from screwkit.algebra.text import expression_text
+
+CHANCE = 2**48  # a random residue passes for a number once in this many
+
+
+@dataclass(frozen=True, order=True)
+class Irrationality:
+    """√radicand · 2cos(π·turn), the second factor only where ``turn`` is not 0."""
+
+    radicand: int = 1
+    turn: Fraction = Fraction(0)
+
+    @property
+    def expression(self) -> Expression:
+        """In the grammar, without the factor 2 of the cosine."""
+        root, cosine = Number(Fraction(self.radicand)), Number(self.turn)
+        return multiply(
+            *([call("sqrt", root)] if self.radicand > 1 else []),
+            *([call("cos", multiply(cosine, Pi()))] if self.turn else []),
+        )
+
+    @property
+    def ball(self) -> arb:
+        """The real number at the working precision."""
+        cosine = 2 * arb.cos_pi_fmpq(_fmpq(self.turn)) if self.turn else arb(1)
+        return arb(self.radicand).sqrt() * cosine
+
+
+@dataclass(frozen=True)
+class AlgebraicNumber:
+    """A rational combination of irrationalities that are independent over Q.
+
+    Attributes:
+        terms: Irrationality and coefficient, no coefficient zero.
+    """
+
+    terms: tuple[tuple[Irrationality, Fraction], ...]
+
+    @property
+    def expression(self) -> Expression:
+        """The number in the grammar."""
+        return add(
+            *(
+                multiply(Number(coefficient * (2 if unit.turn else 1)), unit.expression)
+                for unit, coefficient in self.terms
+            )
+        )
+
+    @property
+    def text(self) -> str:
+        """The number as text of the grammar: ``1/2 + sqrt(3)/2``."""
+        return expression_text(self.expression)
+
+    @property
+    def sign(self) -> int:
+        """−1, 0 or 1: proved by interval arithmetic, fine enough in the end."""
+        if not self.terms:
+            return 0
+        bits = 64
+        while True:
+            ball = self._ball(bits)
+            if ball > 0 or ball < 0:
+                return 1 if ball > 0 else -1
+            bits *= 2
+
+    def __float__(self) -> float:
+        """The nearest float, nearly."""
+        return float(self._ball(192))
+
+    def scaled(self, factor: Fraction) -> AlgebraicNumber:
+        """A rational multiple, not by 0."""
+        return AlgebraicNumber(tuple((u, c * factor) for u, c in self.terms))
+
+    def _ball(self, bits: int) -> arb:
+        with ctx.workprec(bits):
+            total = arb(0)
+            for unit, coefficient in self.terms:
+                total += arb(_fmpq(coefficient)) * unit.ball
+            return total
+
+
+@dataclass(frozen=True)
+class Reconstruction:
+    """The way back from two rings of residues with the same constants.
+
+    Attributes:
+        field: The constants.
+        primes: Two different ones.
+        generators: The residue of each generator of ``field`` modulo each prime, by its
+            name.  One that is missing was not used.
+    """
+
+    field: ConstantField
+    primes: tuple[int, int]
+    generators: tuple[Mapping[str, int], Mapping[str, int]]
+
+    @classmethod
+    def between(cls, first: ModularRing, second: ModularRing) -> Reconstruction:
+        """Back from these rings, which share the field of their constants.
+
+        Raises:
+            ValueError: If their fields differ or their primes do not.
+        """
+        if first.constants != second.constants or first.prime == second.prime:
+            raise ValueError(
+                "two rings of one constant field and two primes are needed"
+            )
+        return cls(
+            first.constants,
+            (first.prime, second.prime),
+            (_generators(first), _generators(second)),
+        )
+
+    def number(self, first: int, second: int) -> AlgebraicNumber | None:
+        """The number with these residues; None if no short one has them.
+
+        A residue drawn at random is taken for a number with probability 1/`CHANCE` for
+        each of the few subfields that are tried, small ones first.
+        """
+        for units in self._subfields:
+            found = self._short(int(first), int(second), units)
+            if found is not None:
+                return found
+        return None
+
+    def numbers(
+        self, first: Sequence[int], second: Sequence[int]
+    ) -> tuple[AlgebraicNumber, ...] | None:
+        """All of these numbers, or None."""
+        found = []
+        for pair in zip(first, second, strict=True):
+            number = self.number(*pair)
+            if number is None:
+                return None
+            found.append(number)
+        return tuple(found)
+
+    def direction(
+        self, first: Sequence[int], second: Sequence[int]
+    ) -> tuple[AlgebraicNumber, ...] | None:
+        """A vector that is known up to a factor, different modulo each prime.
+
+        Coefficients come out integral and without common factor, the first entry that
+        is not zero positive, divided by the entry that makes the texts shortest.
+        """
+        p, q = self.primes
+        found: list[tuple[AlgebraicNumber, ...]] = []
+        for a, b in zip(first, second, strict=True):
+            if a % p and b % q:
+                inverses = pow(int(a), -1, p), pow(int(b), -1, q)
+                vector = self.numbers(
+                    [int(x) * inverses[0] % p for x in first],
+                    [int(x) * inverses[1] % q for x in second],
+                )
+                if vector is not None:
+                    found.append(_primitive(vector))
+        return min(found, key=_length, default=None)
+
+    def roots(
+        self, first: Sequence[int], second: Sequence[int]
+    ) -> tuple[tuple[int, int, AlgebraicNumber], ...]:
+        """The roots in the field of a polynomial, with their residues, ascending.
+
+        Args:
+            first: Its coefficients modulo the first prime, constant term first.
+            second: The same modulo the second prime.
+        """
+        p, q = self.primes
+        choices = product(
+            nmod_poly([int(c) for c in first], p).roots(),
+            nmod_poly([int(c) for c in second], q).roots(),
+        )
+        found = []
+        for (a, _), (b, _) in choices:
+            number = self.number(int(a), int(b))
+            if number is not None:
+                found.append((int(a), int(b), number))
+        return tuple(sorted(found, key=lambda root: float(root[2])))
+
+    @cached_property
+    def _units(self) -> tuple[tuple[Irrationality, int], ...]:
+        """A basis of the field over Q, 1 first, with residues modulo both primes."""
+        known = self.generators[0].keys() & self.generators[1].keys()
+        primes = [r for r in self.field.primes if f"r{r}" in known]
+        steps, powers = [Fraction(0)], [1]
+        if "z" in known:
+            degree = len(self.field.minimal_polynomials["z"]) - 1
+            steps = [Fraction(k, self.field.turn) for k in range(degree)]
+            # V_k = z V_(k-1) - V_(k-2) is 2cos(kπ/n), and 2 for k = 0
+            z, last = self._generator("z"), 2
+            powers.append(z)
+            for _ in range(2, degree):
+                powers.append((z * powers[-1] - last) % self._modulus)
+                last = powers[-2]
+        units = []
+        for count in range(len(primes) + 1):
+            for chosen in combinations(primes, count):
+                root = prod(self._generator(f"r{r}") for r in chosen)
+                for step, residue in zip(steps, powers, strict=False):
+                    unit = Irrationality(prod(chosen), step)
+                    units.append((unit, root * residue % self._modulus))
+        return tuple(units)
+
+    @cached_property
+    def _subfields(self) -> tuple[tuple[int, ...], ...]:
+        """Parts of the basis: 1, pairs with 1, biquadratic, cyclotomic fields, all."""
+        place = {unit: i for i, (unit, _) in enumerate(self._units)}
+        chosen: list[tuple[int, ...]] = [(0,)]
+        chosen += [(0, i) for i in range(1, len(place))]
+        roots = [unit.radicand for unit in place if not unit.turn and unit.radicand > 1]
+        for a, b in combinations(roots, 2):
+            third = a * b // gcd(a, b) ** 2
+            if third > b:
+                chosen.append((0, *(place[Irrationality(r)] for r in (a, b, third))))
+        chosen.append(tuple(i for unit, i in place.items() if unit.radicand == 1))
+        chosen.append(tuple(range(len(place))))
+        return tuple(dict.fromkeys(chosen))
+
+    @property
+    def _modulus(self) -> int:
+        return self.primes[0] * self.primes[1]
+
+    def _generator(self, name: str) -> int:
+        return self._both(self.generators[0][name], self.generators[1][name])
+
+    def _both(self, first: int, second: int) -> int:
+        """The residue modulo the product of the primes."""
+        p, q = self.primes
+        return first % p + p * ((second - first % p) * pow(p, -1, q) % q)
+
+    def _short(
+        self, first: int, second: int, units: Sequence[int]
+    ) -> AlgebraicNumber | None:
+        """The number x by the shortest (d, c) with d·x = Σ c·unit modulo both."""
+        residues = [self._both(first, second)]
+        residues += [-self._units[i][1] for i in units[1:]]
+        size = len(residues) + 1
+        rows = [[int(i == j) for j in range(size)] for i in range(size)]
+        for row, residue in zip(rows, residues, strict=False):
+            row[-1] = residue % self._modulus
+        rows[-1][-1] = self._modulus
+        reduced = fmpz_mat(rows).lll()
+        below, *rest, constant = (int(reduced[0, j]) for j in range(size))
+        height = max(abs(below), abs(constant), *(abs(c) for c in rest), 1)
+        if not below or (2 * height + 1) ** size * CHANCE > self._modulus:
+            return None
+        terms = zip(units, (constant, *rest), strict=True)
+        return AlgebraicNumber(
+            tuple((self._units[i][0], Fraction(c, below)) for i, c in terms if c)
+        )
+
+
+def _generators(ring: ModularRing) -> Mapping[str, int]:
+    return dict(_existing(ring))
+
+
+def _existing(ring: ModularRing) -> Iterator[tuple[str, int]]:
+    """A generator without a root modulo this prime cannot have been used."""
+    for name in ring.constants.generators:
+        try:
+            yield name, int(ring.generator(name))
+        except ResampleError:
+            continue
+
+
+def _primitive(vector: tuple[AlgebraicNumber, ...]) -> tuple[AlgebraicNumber, ...]:
+    """Integral, without common factor, the first entry that is not zero positive."""
+    coefficients = [
+        coefficient * (2 if unit.turn else 1)
+        for number in vector
+        for unit, coefficient in number.terms
+    ]
+    factor = Fraction(
+        lcm(*(c.denominator for c in coefficients)),
+        gcd(*(c.numerator for c in coefficients)),
+    )
+    factor *= next(number.sign for number in vector if number.terms)
+    return tuple(number.scaled(factor) for number in vector)
+
+
+def _length(vector: Sequence[AlgebraicNumber]) -> tuple[int, int]:
+    texts = [number.text for number in vector]
+    return sum("(" in text for text in texts), sum(map(len, texts))
+
+
+def _fmpq(value: Fraction) -> fmpq:
+    return fmpq(value.numerator, value.denominator)
