@@ -8,8 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from screwkit.analyses.screws import constraint_wrenches
-from screwkit.kinematics.assembly import Assembly, SerialLimb
+from screwkit.analyses.screws import constraint_wrenches, limb_twists
+from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.screw.nullspace import annihilator, basis_of
 from screwkit.screw.system import TwistSystem, WrenchSystem, conditions
 
@@ -24,7 +24,7 @@ class LimbView:
     """
 
     _assembly: Assembly = field(repr=False)
-    _limb: SerialLimb = field(repr=False)
+    _limb: LimbChain = field(repr=False)
 
     def __repr__(self) -> str:
         return f"<limb {self.name!r}: {' '.join(self.joints)}>"
@@ -45,7 +45,7 @@ class LimbView:
         framed = self._assembly.base_twists
         return TwistSystem(
             framed.ring,
-            tuple(framed.column(joint) for joint in self.joints),
+            limb_twists(self._assembly, self._limb),
             self._assembly.mechanism.base,
             self._assembly.assumptions,
         )

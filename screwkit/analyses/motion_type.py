@@ -33,6 +33,8 @@ _BUDGET = 60
 
 def motion_cases(assembly: Assembly, generic: str) -> tuple[MotionCase, ...]:
     """The generic motion type, then where it is another, or for another reason."""
+    if any(limb.elements is not None for limb in assembly.limbs):
+        return (MotionCase((), (), generic, ""),)
     forces = _constraint_forces(assembly)
     if forces is None:
         return (MotionCase((), (), generic, ""),)

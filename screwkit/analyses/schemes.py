@@ -59,7 +59,9 @@ def schemes(
     Raises:
         UnknownNameError: If a candidate is no joint of a limb.
         TooLargeError: If there are more schemes than can sensibly be listed.
+        UndecidedError: See `Assembly.refuse_blocks`.
     """
+    assembly.refuse_blocks()
     system = PassiveSystem(assembly)
     wanted = system.generic_state(assembly.joints).platform_freedom
     number = wanted if size is None else size

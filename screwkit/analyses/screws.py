@@ -14,13 +14,15 @@ from dataclasses import dataclass, replace
 
 from screwkit.analyses.identified import ScrewWriter
 from screwkit.conventions import SCREW_DIMENSION
-from screwkit.kinematics.assembly import Assembly, SerialLimb
+from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.kinematics.placement import joint_twists, placed_links
+from screwkit.kinematics.series_parallel import element_columns
 from screwkit.loci.reciprocals import Finder, FoundScrew, span_of
 from screwkit.progress import Progress, silent
 from screwkit.results.screws import (
     ActuationWrench,
+    IdentifiedScrew,
     LimbScrews,
     PlatformScrews,
     Screws,
@@ -35,10 +37,16 @@ from screwkit.screw.nullspace import (
 
 @dataclass(frozen=True)
 class _Limb:
-    """A limb with what was found about it."""
+    """A limb with what was found about it.
 
-    limb: SerialLimb
+    Attributes:
+        framed: The twists of all its joints.
+        columns: What spans its twist system: the twists of its joints and blocks.
+    """
+
+    limb: LimbChain
     framed: FramedTwists
+    columns: tuple[Column, ...]
     finder: Finder
     rank: int
     constraints: tuple[FoundScrew, ...]
@@ -82,24 +90,52 @@ def screws(
     )
 
 
-def constraint_wrenches(assembly: Assembly, limb: SerialLimb) -> tuple[Column, ...]:
+def limb_twists(assembly: Assembly, limb: LimbChain) -> tuple[Column, ...]:
+    """Columns that span what a limb allows the platform, in the base frame."""
+    return _limb(assembly, limb).columns
+
+
+def constraint_wrenches(assembly: Assembly, limb: LimbChain) -> tuple[Column, ...]:
     """The readable basis of what a limb can transmit with all joints passive."""
     return tuple(screw.column for screw in _limb(assembly, limb).constraints)
 
 
-def _limb(assembly: Assembly, limb: SerialLimb) -> _Limb:
+def _limb(assembly: Assembly, limb: LimbChain) -> _Limb:
     framed = _part(assembly.base_twists, limb)
     finder = Finder(framed, assembly.mechanism.base)
-    rank = len(independent(framed.ring, framed.columns))
+    columns = _spanning(assembly, limb, framed)
+    rank = len(independent(framed.ring, columns))
     constraints = finder.basis(
-        framed.columns,
+        columns,
         SCREW_DIMENSION - rank,
         lambda: _reciprocal(assembly, limb, limb.joints),
     )
-    return _Limb(limb, framed, finder, rank, tuple(constraints))
+    return _Limb(limb, framed, columns, finder, rank, tuple(constraints))
 
 
-def _part(framed: FramedTwists, limb: SerialLimb) -> FramedTwists:
+def _spanning(
+    assembly: Assembly,
+    limb: LimbChain,
+    framed: FramedTwists,
+    locked: str = "",
+) -> tuple[Column, ...]:
+    """Columns that span what a limb allows the platform, with one freedom locked."""
+    if limb.elements is None:
+        return tuple(framed.column(name) for name in limb.joints if name != locked)
+    columns: dict[str, list[Column]] = {name: [] for name in limb.chain}
+    for label in limb.joints:
+        if label != locked:
+            columns.setdefault(assembly.joint_of(label).name, []).append(
+                framed.column(label)
+            )
+    return tuple(
+        column
+        for element in limb.elements
+        for column in element_columns(framed.ring, element, columns)
+    )
+
+
+def _part(framed: FramedTwists, limb: LimbChain) -> FramedTwists:
     """The twists of one limb, in the ring of all."""
     chosen = [framed.joints.index(name) for name in limb.joints]
     return replace(
@@ -112,21 +148,21 @@ def _part(framed: FramedTwists, limb: SerialLimb) -> FramedTwists:
 
 
 def _reciprocal(
-    assembly: Assembly, limb: SerialLimb, joints: Sequence[str]
+    assembly: Assembly, limb: LimbChain, joints: Sequence[str]
 ) -> list[FoundScrew]:
     """Reciprocals of some twists by minors in the short frame, moved to the base."""
     mechanism, ring = assembly.mechanism, assembly.base_twists.ring
     if mechanism.geometry != "mdh":
         framed = assembly.base_twists
-        basis = reciprocal_basis(ring, [framed.column(name) for name in joints])
+        locked = [name for name in limb.joints if name not in joints]
+        columns = _spanning(assembly, limb, framed, *locked)
+        basis = reciprocal_basis(ring, columns)
         return [FoundScrew(column) for column in basis.columns]
     origin = assembly.limb_twists[limb.name].origin
     twists = joint_twists(mechanism, ring, origin, limb.chain)
-    columns = [
-        tuple(ring.without_divisors(twists[name].coordinates)) for name in joints
-    ]
+    chosen = [tuple(ring.without_divisors(twists[x].coordinates)) for x in joints]
     place = placed_links(mechanism, ring, mechanism.base, limb.chain)[origin]
-    basis = reciprocal_basis(ring, columns)
+    basis = reciprocal_basis(ring, chosen)
     return [
         FoundScrew(moved(ring, place, column), elsewhere=column)
         for column in basis.columns
@@ -138,17 +174,23 @@ def _limb_screws(found: _Limb, writer: ScrewWriter) -> LimbScrews:
         name=found.limb.name,
         joints=found.limb.joints,
         twist_dimension=found.rank,
-        twists=tuple(
-            writer.joint_twist(found.finder.features, joint, column, point)
-            for joint, column, point in zip(
-                found.framed.joints,
-                found.framed.columns,
-                found.framed.points,
-                strict=True,
-            )
-        ),
+        twists=_written_twists(found, writer),
         wrench_dimension=SCREW_DIMENSION - found.rank,
         wrenches=tuple(writer.wrench(screw) for screw in found.constraints),
+    )
+
+
+def _written_twists(found: _Limb, writer: ScrewWriter) -> tuple[IdentifiedScrew, ...]:
+    """The twists of the joints; of a limb with blocks those that span its system."""
+    framed = found.framed
+    if found.limb.elements is not None:
+        chosen = independent(framed.ring, found.columns)
+        return tuple(writer.twist(FoundScrew(found.columns[i])) for i in chosen)
+    return tuple(
+        writer.joint_twist(found.finder.features, joint, column, point)
+        for joint, column, point in zip(
+            framed.joints, framed.columns, framed.points, strict=True
+        )
     )
 
 
@@ -177,7 +219,7 @@ def _actuation_wrench(
     """What locking a joint adds to the constraints of its limb."""
     ring = found.framed.ring
     others = [name for name in found.limb.joints if name != joint]
-    columns = [found.framed.column(name) for name in others]
+    columns = _spanning(assembly, found.limb, found.framed, joint)
     if len(independent(ring, columns)) == found.rank:
         return None
     basis = found.finder.basis(

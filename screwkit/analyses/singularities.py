@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from screwkit.algebra.decomposition import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
-from screwkit.kinematics.assembly import Assembly, SerialLimb
+from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.loci.actuation import actuation_locus
 from screwkit.loci.canonical import in_known_conditions
 from screwkit.loci.lifting import with_sheets_together
@@ -41,7 +41,11 @@ def singularities(
         assembly: The mechanism.
         actuated: Names of the actuated joints; the declared ones by default.
         progress: Told about each stage.
+
+    Raises:
+        UndecidedError: See `Assembly.refuse_blocks`.
     """
+    assembly.refuse_blocks()
     limbs = []
     for limb in assembly.limbs:
         progress(f"limb {limb.name}", f"{len(limb.joints)} twists")
@@ -77,7 +81,7 @@ def assumptions_in_words(assembly: Assembly) -> tuple[str, ...]:
     return tuple(words)
 
 
-def limb_singularities(assembly: Assembly, limb: SerialLimb) -> LimbSingularities:
+def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
     """Where the twists of one limb lose rank."""
     framed = assembly.limb_twists[limb.name]
     ring = framed.ring

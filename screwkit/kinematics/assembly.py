@@ -25,8 +25,9 @@ from screwkit.kinematics.frames import (
     shortest_twists,
 )
 from screwkit.kinematics.placement import why_tied
+from screwkit.kinematics.series_parallel import Chain, chain_between, joints_of
 from screwkit.kinematics.values import declared_values, with_values
-from screwkit.mechanism.graph import Step
+from screwkit.mechanism.graph import Step, independent_loops
 from screwkit.mechanism.graph import limbs as limbs_of
 from screwkit.mechanism.joints import RIGID, freedom_labels
 from screwkit.mechanism.model import Joint, Mechanism
@@ -35,8 +36,8 @@ T = TypeVar("T")
 
 
 @dataclass(frozen=True)
-class SerialLimb:
-    """A chain from base to platform.
+class LimbChain:
+    """A limb from base to platform.
 
     Attributes:
         joints: Its freedoms from base to platform: the name of a joint, or ``name:k``
@@ -44,6 +45,8 @@ class SerialLimb:
         signs: +1 where a joint points towards the platform, −1 where back; by freedom.
         chain: All its joints, fixed ones included.
         links: The links it passes, base first, as far as an mdh table places them.
+        elements: Joints and blocks from base to platform; None for a serial chain,
+            which is its joints.
     """
 
     name: str
@@ -51,6 +54,7 @@ class SerialLimb:
     signs: tuple[int, ...]
     chain: tuple[str, ...]
     links: tuple[str, ...]
+    elements: Chain | None = None
 
 
 class Assembly:
@@ -72,7 +76,7 @@ class Assembly:
         """
         self.tied = why_tied(mechanism)
         self.mechanism = at_zero(mechanism) if self.tied else mechanism
-        self.limbs = _serial_limbs(self.mechanism)
+        self.limbs = _limb_chains(self.mechanism)
         self.assumptions = Assumptions(
             positive=frozenset(p.name for p in mechanism.parameters if p.positive),
             nonzero=frozenset(
@@ -86,6 +90,27 @@ class Assembly:
         """The same mechanism with the file's values put in for its symbols."""
         values = declared_values(self.mechanism)
         return Assembly(with_values(self.mechanism, values)) if values else None
+
+    def refuse_blocks(self) -> None:
+        """For questions that take limbs as serial chains.
+
+        Raises:
+            UndecidedError: If a limb has loops inside, or loops lie outside all limbs.
+        """
+        for limb in self.limbs:
+            if limb.elements is not None:
+                raise UndecidedError(
+                    f"limb {limb.name!r} has loops inside, which this question does "
+                    f"not take apart yet; `mobility` and `screws` do"
+                )
+        loops, closed = independent_loops(self.mechanism), max(0, len(self.limbs) - 1)
+        if loops != closed:
+            raise UndecidedError(
+                f"the graph has {loops} independent loops, of which the limbs close "
+                f"{closed}; loops outside limbs are not taken into account here yet"
+            )
+        if self.tied:
+            raise UndecidedError(f"{self.tied}; this question takes them as free")
 
     @cached_property
     def joints(self) -> tuple[str, ...]:
@@ -215,19 +240,29 @@ def loop_rows(limbs: Sequence[Sequence[Sequence[T]]]) -> list[list[T]]:
     return rows
 
 
-def _serial_limbs(mechanism: Mechanism) -> tuple[SerialLimb, ...]:
+def _limb_chains(mechanism: Mechanism) -> tuple[LimbChain, ...]:
     found = []
     for limb in limbs_of(mechanism):
-        if limb.path is None:
+        if limb.path is not None:
+            found.append(_limb_chain(mechanism, limb.name, limb.path))
+            continue
+        own = [joint for joint in mechanism.joints if joint.name in limb.joints]
+        elements = chain_between(own, mechanism.base, mechanism.platform)
+        if elements is None or mechanism.geometry == "mdh":
             raise UndecidedError(
-                f"limb {limb.name!r} is no serial chain; its screws are found at exact "
-                f"postures (`mobility`), not yet as expressions"
+                f"limb {limb.name!r} is no nesting of chains; its screws are found at "
+                f"exact postures (`mobility`), not as expressions"
             )
-        found.append(_serial_limb(mechanism, limb.name, limb.path))
+        chain = joints_of(elements)
+        inside = [joint for joint in own if joint.name in chain]
+        labels = [x for j in inside for x in freedom_labels(j, mechanism.space)]
+        found.append(
+            LimbChain(limb.name, tuple(labels), (1,) * len(labels), chain, (), elements)
+        )
     return tuple(found)
 
 
-def _serial_limb(mechanism: Mechanism, name: str, path: Sequence[Step]) -> SerialLimb:
+def _limb_chain(mechanism: Mechanism, name: str, path: Sequence[Step]) -> LimbChain:
     links, at = [mechanism.base], mechanism.base
     labels: list[str] = []
     signs: list[int] = []
@@ -252,4 +287,4 @@ def _serial_limb(mechanism: Mechanism, name: str, path: Sequence[Step]) -> Seria
         own = freedom_labels(joint, mechanism.space)
         labels += own if sign > 0 else reversed(own)
         signs += [sign] * len(own)
-    return SerialLimb(name, tuple(labels), tuple(signs), tuple(chain), tuple(links))
+    return LimbChain(name, tuple(labels), tuple(signs), tuple(chain), tuple(links))

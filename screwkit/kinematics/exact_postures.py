@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import TypeAlias
 
 from screwkit.algebra.constants import ConstantField
@@ -60,7 +61,7 @@ def exact_posture(mechanism: Mechanism, seed: int, bits: int = 61) -> ExactPostu
     joint_twists(mechanism, seen, mechanism.base)
     radicands = [r.value for r in seen.roots if isinstance(r, Number)]
     field = ConstantField.needed_by(radicands, seen.turn)
-    roots = [*radicands, *field.primes]
+    roots = [*radicands, *map(Fraction, field.primes)]
     for attempt in range(_ATTEMPTS):
         prime = prime_for(seen.turn, roots, seed + 1000 * attempt, bits)
         ring = ModularRing(seed + attempt, prime, field)

@@ -13,7 +13,7 @@ from itertools import product
 from typing import Any
 
 from screwkit.algebra.modular import ModularRing, prime_for
-from screwkit.kinematics.assembly import Assembly, SerialLimb
+from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.placement import joint_twists
 
 Signs = tuple[int, int, int]
@@ -37,7 +37,7 @@ def mirrored_joints(assembly: Assembly) -> tuple[tuple[str, str], ...]:
 
 
 def _matching(
-    assembly: Assembly, pair: tuple[SerialLimb, SerialLimb], signs: Signs
+    assembly: Assembly, pair: tuple[LimbChain, LimbChain], signs: Signs
 ) -> list[tuple[int, int]] | None:
     """For each joint of ``second`` the sign of its angle, and a shift by π."""
     first, _ = pair
@@ -63,7 +63,7 @@ def _matching(
 
 def _confirmed(
     assembly: Assembly,
-    pair: tuple[SerialLimb, SerialLimb],
+    pair: tuple[LimbChain, LimbChain],
     signs: Signs,
     turns: Sequence[tuple[int, int]],
 ) -> bool:
@@ -73,7 +73,7 @@ def _confirmed(
 
 def _agreement(
     assembly: Assembly,
-    pair: tuple[SerialLimb, SerialLimb],
+    pair: tuple[LimbChain, LimbChain],
     signs: Signs,
     turns: Sequence[tuple[int, int]],
     seed: int,
@@ -96,7 +96,7 @@ def _agreement(
 
 def _links(
     assembly: Assembly,
-    pair: tuple[SerialLimb, SerialLimb],
+    pair: tuple[LimbChain, LimbChain],
     turns: Sequence[tuple[int, int]],
 ) -> dict[str, tuple[str, int, int]]:
     links = {}

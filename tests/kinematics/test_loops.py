@@ -172,9 +172,9 @@ def test_wrong_limbs() -> None:
         limb_paths(mechanism, [("1",), ("100",)])
     with pytest.raises(ValueError, match="moving joint"):
         limb_paths(mechanism, [("1",), ("grasp_left",)])
-    screw = dataclasses.replace(mechanism.joint("1"), type=JointType.HELICAL)
+    screw = dataclasses.replace(mechanism.joint("1"), type=JointType.CYLINDRICAL)
     other = dataclasses.replace(mechanism, joints=(screw, *mechanism.joints[1:]))
-    with pytest.raises(UndecidedError, match="'1' is helical"):
+    with pytest.raises(UndecidedError, match="'1' is cylindrical"):
         limb_paths(other, NAO_LIMBS)
     with pytest.raises(ValueError, match="two limbs"):
         limb_paths(mechanism, [("1", "2")])

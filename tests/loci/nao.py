@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import json
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
 from loci.numeric import Array, Posture, limb_columns
 
 from screwkit.analyses.mobility import mobility
+from screwkit.analyses.motion_type import motion_cases
 from screwkit.analyses.schemes import schemes
 from screwkit.analyses.singularities import singularities
 from screwkit.kinematics.assembly import Assembly
+from screwkit.kinematics.network import Network
 from screwkit.mechanism.files import read_mechanism
 from screwkit.mechanism.model import Mechanism
 from screwkit.results.mobility import Mobility
@@ -47,7 +49,7 @@ def assembly() -> Assembly:
 
 @cache
 def the_mobility() -> Mobility:
-    return mobility(assembly())
+    return mobility(Network(mechanism()), partial(motion_cases, assembly()))
 
 
 @cache
