@@ -1,12 +1,16 @@
 """A strict reader of YAML: no aliases, anchors, tags or repeated keys.
 
-Every scalar stays text.  An item that YAML cut at a comma inside parentheses
-(``[atan2(y, x), 0, 0]``) is put together again and reported with the right spelling, so
-that it causes no further faults.
+Every scalar stays text; events of a parser, libyaml's where there is one, become nodes.
+An item that YAML cut at a comma inside parentheses (``[atan2(y, x), 0, 0]``) is put
+together again and reported with the right spelling: it causes no further faults.
 """
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
+from contextlib import suppress
+from importlib import import_module
 from typing import Any, Final, TypeGuard
 
 import yaml
@@ -24,49 +28,16 @@ from screwkit.mechanism.nodes import (
 
 DEEPEST: Final = 50
 
+_FAST: Final[Any] = (
+    import_module("yaml.cyaml").CParser if yaml.__with_libyaml__ else None
+)
+"""libyaml, some ten times as fast; PyYAML's own parser explains what is no YAML."""
+_READ_OTHERWISE: Final = re.compile("[\t?!\ufeff]|[|>]#")
+"""Where the two parsers differ: tabs, keys after a question mark, tags, stray marks."""
 
-class _StrictLoader(yaml.SafeLoader):
-    """Composes nodes only; refusals go to ``refused`` and reading goes on."""
 
-    # PyYAML's own resolvers would make numbers, dates and booleans of text.
-    yaml_implicit_resolvers: dict[str, Any] = {}  # noqa: RUF012  (PyYAML's name)
-
-    def __init__(self, text: str, refused: Faults) -> None:
-        super().__init__(text)
-        self.refused = refused
-        self.depth = 0
-
-    def compose_node(self, parent: Any, index: Any) -> Any:
-        """Compose one node, refusing aliases, anchors and tags.
-
-        Raises:
-            RecursionError: If the file is nested too deeply.
-        """
-        event: Any = self.peek_event()  # type: ignore[no-untyped-call]
-        place = _place(event.start_mark)
-        if isinstance(event, yaml.AliasEvent):
-            self.get_event()  # type: ignore[no-untyped-call]
-            self.refused.add(
-                place, f"aliases are not allowed (*{event.anchor}); write it out"
-            )
-            start: Any = event.start_mark
-            end: Any = event.end_mark
-            return yaml.ScalarNode("", "", start, end, style="'")
-        if getattr(event, "anchor", None) is not None:
-            self.refused.add(place, f"anchors are not allowed (&{event.anchor})")
-            event.anchor = None
-        tag = getattr(event, "tag", None)
-        if tag is not None:
-            self.refused.add(
-                place, f"tags are not allowed ({tag!r}); every scalar is text"
-            )
-            event.tag = None
-        if self.depth >= DEEPEST:
-            raise RecursionError
-        self.depth += 1
-        node = super().compose_node(parent, index)
-        self.depth -= 1
-        return node
+class _UnsureError(Exception):
+    """libyaml places an empty value elsewhere than PyYAML, which decides."""
 
 
 def yaml_tree(text: str, faults: Faults) -> Node | None:
@@ -76,32 +47,103 @@ def yaml_tree(text: str, faults: Faults) -> Node | None:
         The tree, or None where the text is no YAML at all.
     """
     try:
-        loader = _StrictLoader(text, faults)
-        root = loader.get_single_node()
+        if _FAST is not None and not _READ_OTHERWISE.search(text):
+            found = Faults()
+            with suppress(yaml.YAMLError, UnicodeError, _UnsureError):
+                root = _Composer(_FAST(text), found).document()
+                faults.found += found.found
+                return root
+        return _Composer(yaml.SafeLoader(text), faults).document()
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         faults.add(_place(mark) if mark else None, _explained(error))
-        return None
     except yaml.reader.ReaderError as error:
         before = text[: error.position]
         line = before.count("\n") + 1
         place = Place(line, error.position - (before.rfind("\n") + 1) + 1)
         faults.add(place, "a character that is not printable stands here")
-        return None
     except RecursionError:
         faults.add(None, f"nested deeper than {DEEPEST} levels")
+    return None
+
+
+class _Composer:
+    """Makes nodes of events, refusing aliases, anchors and tags as it goes."""
+
+    def __init__(self, parser: Any, faults: Faults) -> None:
+        self._next: Callable[[], Any] = parser.get_event
+        self._exact = isinstance(parser, yaml.SafeLoader)
+        self._faults = faults
+
+    def document(self) -> Node | None:
+        """The only document; None where there is none, or another."""
+        self._next()
+        if isinstance(self._next(), yaml.StreamEndEvent):
+            return None
+        root = self._node(self._next(), 0)
+        self._next()
+        event = self._next()
+        if isinstance(event, yaml.StreamEndEvent):
+            return root
+        self._faults.add(
+            _place(event.start_mark),
+            "a second document starts here; a file holds one mechanism",
+        )
         return None
-    if root is None:
-        return None
-    return _converted(root, faults)
+
+    def _node(self, event: Any, depth: int) -> Node:
+        place = _place(event.start_mark)
+        if isinstance(event, yaml.AliasEvent):
+            self._faults.add(
+                place, f"aliases are not allowed (*{event.anchor}); write it out"
+            )
+            return Scalar("", place, quoted=True, inner=None)
+        if event.anchor is not None:
+            self._faults.add(place, f"anchors are not allowed (&{event.anchor})")
+        if event.tag is not None:
+            self._faults.add(
+                place, f"tags are not allowed ({event.tag!r}); every scalar is text"
+            )
+        if depth >= DEEPEST:
+            raise RecursionError
+        if isinstance(event, yaml.ScalarEvent):
+            return _scalar(event, place)
+        if isinstance(event, yaml.SequenceStartEvent):
+            return self._sequence(event, place, depth)
+        return self._mapping(event, place, depth)
+
+    def _sequence(self, start: Any, place: Place, depth: int) -> Sequence:
+        items: list[Node] = []
+        event = self._next()
+        while not isinstance(event, yaml.SequenceEndEvent):
+            items.append(self._node(event, depth + 1))
+            event = self._next()
+        if start.flow_style:
+            items = _mended_items(items, self._faults)
+        return Sequence(tuple(items), place)
+
+    def _mapping(self, start: Any, place: Place, depth: int) -> Mapping:
+        entries: list[Entry] = []
+        event = self._next()
+        while not isinstance(event, yaml.MappingEndEvent):
+            key = self._node(event, depth + 1)
+            value = self._node(self._next(), depth + 1)
+            if start.flow_style and not self._exact and _is_empty(value):
+                raise _UnsureError
+            if isinstance(key, Scalar):
+                entries.append(Entry(key.text, key.place, value))
+            else:
+                self._faults.add(key.place, "a key is text, not a list or a mapping")
+            event = self._next()
+        if start.flow_style:
+            entries = _mended_entries(entries, self._faults)
+        return Mapping(unique_entries(entries, self._faults), place)
 
 
 def _explained(error: yaml.MarkedYAMLError) -> str:
     problem = error.problem or "cannot be read"
     if "'\\t'" in problem:
         return "a tab stands where spaces are needed"
-    if "single document" in f"{error.context} {error.problem}":
-        return "a second document starts here; a file holds one mechanism"
     context = f" ({error.context})" if error.context else ""
     return f"not readable as YAML: {problem}{context}"
 
@@ -110,42 +152,17 @@ def _place(mark: Any) -> Place:
     return Place(mark.line + 1, mark.column + 1)
 
 
-def _converted(node: Any, faults: Faults) -> Node:
-    place = _place(node.start_mark)
-    if isinstance(node, yaml.ScalarNode):
-        return _scalar(node, place)
-    if isinstance(node, yaml.SequenceNode):
-        items = [_converted(item, faults) for item in node.value]
-        if node.flow_style:
-            items = _mended_items(items, faults)
-        return Sequence(tuple(items), place)
-    entries = []
-    for key, value in node.value:
-        key_place = _place(key.start_mark)
-        if not isinstance(key, yaml.ScalarNode):
-            faults.add(key_place, "a key is text, not a list or a mapping")
-            continue
-        converted = _converted(value, faults)
-        entries.append(Entry(str(key.value), key_place, converted))
-    if node.flow_style:
-        entries = _mended_entries(entries, faults)
-    return Mapping(unique_entries(entries, faults), place)
-
-
-def _scalar(node: Any, place: Place) -> Scalar:
-    quoted = node.style in {"'", '"'}
-    start, end = node.start_mark, node.end_mark
-    inner = 1 if quoted else 0
-    is_plain = node.style is None or quoted
-    columns = end.column - start.column
-    runs_together = start.line == end.line and columns == len(node.value) + 2 * inner
-    return Scalar(
-        str(node.value),
-        place,
-        # A block scalar (| or >) is as deliberate as quotes.
-        quoted=node.style is not None,
-        inner=inner if is_plain and runs_together else None,
+def _scalar(event: Any, place: Place) -> Scalar:
+    text, style = event.value, event.style
+    end = event.end_mark
+    # Plain (no style) or quoted; a block scalar (| or >) is as deliberate as quotes.
+    quotes = 1 if style in {"'", '"'} else 0
+    runs_together = (
+        (quotes or not style)
+        and place.line == end.line + 1
+        and end.column + 1 - place.column == len(text) + 2 * quotes
     )
+    return Scalar(text, place, bool(style), quotes if runs_together else None)
 
 
 def _opened(node: Node) -> int:

@@ -15,13 +15,15 @@ from pathlib import Path
 
 import pytest
 
-from screwkit.errors import MechanismFileError
+from screwkit.errors import Fault, MechanismFileError
+from screwkit.mechanism import yaml_nodes
 from screwkit.mechanism.files import (
     LARGEST_FILE,
     mechanism_from_bytes,
     mechanism_from_text,
     read_mechanism,
 )
+from screwkit.mechanism.nodes import Faults, Node
 
 HERE = Path(__file__).parent
 BAD = sorted((HERE / "bad").glob("*.yaml"))
@@ -231,3 +233,32 @@ def test_vectors_that_double_again_and_again_are_refused() -> None:
     with pytest.raises(MechanismFileError, match="products of vectors grow too large"):
         mechanism_from_text(text, "doubling")
     assert time.perf_counter() - start < 5
+
+
+_SAMPLES = [
+    FOUR_BAR,
+    *(path.read_text(encoding="utf-8").split("# fault")[0] for path in BAD),
+    "a: |\n  x\nb: >-\n  z\nc: 'it''s'\nd: \"x\\ty\"\ne: x\n  y\n",
+    "a: [{b: , c}, d: e]\nf:\n- - g\n- ü: 😀 # h\n",
+]
+
+
+@pytest.mark.skipif(yaml_nodes._FAST is None, reason="PyYAML was built without libyaml")
+@pytest.mark.parametrize("sample", _SAMPLES)
+def test_both_parsers_of_yaml_read_the_same(
+    sample: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    chance = random.Random(sample)
+    texts = [sample]
+    for _ in range(60):
+        start = chance.randrange(len(sample))
+        piece = chance.choice(_PIECES)
+        texts.append(sample[:start] + piece + sample[start + chance.randrange(3) :])
+    fast = [_tree_of(text) for text in texts]
+    monkeypatch.setattr(yaml_nodes, "_FAST", None)
+    assert fast == [_tree_of(text) for text in texts]
+
+
+def _tree_of(text: str) -> tuple[Node | None, list[Fault]]:
+    faults = Faults()
+    return yaml_nodes.yaml_tree(text, faults), faults.found
