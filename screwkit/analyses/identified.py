@@ -56,8 +56,21 @@ class ScrewWriter:
         joint: str,
         column: Column,
         point: Vector[Polynomial],
+        centre: str = "",
     ) -> IdentifiedScrew:
-        """The twist of a joint, with the shortest point of its axis."""
+        """The twist of a freedom, with the shortest point of its axis.
+
+        Args:
+            features: Of its limb.
+            joint: The freedom's label.
+            column: The twist.
+            point: A point of its axis.
+            centre: The joint whose centre that is, where it turns about it every way.
+        """
+        if centre:
+            words = f"rotation about the centre of {centre}"
+            found = FoundScrew(column, point=point)
+            return self._identified(found, ("rotation", "translation"), words)
         words = f"axis {joint}"
         if all(value == 0 for value in column[DIRECTION]):
             words = f"translation along {words}"

@@ -186,8 +186,11 @@ def _written_twists(found: _Limb, writer: ScrewWriter) -> tuple[IdentifiedScrew,
     if found.limb.elements is not None:
         chosen = independent(framed.ring, found.columns)
         return tuple(writer.twist(FoundScrew(found.columns[i])) for i in chosen)
+    centres = {label: joint for joint, labels in framed.balls for label in labels}
     return tuple(
-        writer.joint_twist(found.finder.features, joint, column, point)
+        writer.joint_twist(
+            found.finder.features, joint, column, point, centres.get(joint, "")
+        )
         for joint, column, point in zip(
             framed.joints, framed.columns, framed.points, strict=True
         )

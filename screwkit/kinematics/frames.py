@@ -39,7 +39,9 @@ class FramedTwists:
         joints: The freedoms by their labels, in the order of ``columns``.
         columns: Six polynomials each, (ω; v), cleared of divisors.
         points: A point of each axis.
-        limbs: Joint names limb by limb, where several limbs are placed together.
+        limbs: Labels limb by limb, where several limbs are placed together.
+        balls: Joints that turn about a point in every way, and their rotations, which
+            are no axes of their own.
     """
 
     ring: TrigonometricRing
@@ -48,6 +50,7 @@ class FramedTwists:
     columns: tuple[tuple[Polynomial, ...], ...]
     points: tuple[Vector[Polynomial], ...]
     limbs: tuple[tuple[str, ...], ...] = ()
+    balls: tuple[tuple[str, tuple[str, ...]], ...] = ()
 
     def limb_of(self, joint: str) -> int:
         """Number of the limb of a joint; 0 where there is only one."""
@@ -104,7 +107,18 @@ def framed_twists(
         tuple(ordered),
         tuple(_column(twists[name], ring) for name in ordered),
         tuple(twists[name].point for name in ordered),
+        balls=tuple(
+            (joint.name, own[joint.name][:3])
+            for joint in mechanism.joints
+            if joint.type in BALLS
+            and joint.name in joints
+            and mechanism.space == "spatial"
+        ),
     )
+
+
+BALLS = (JointType.SPHERICAL, JointType.HARD_FINGER, JointType.POINT)
+"""Joints with a rotation about every axis through a point."""
 
 
 def _column(

@@ -36,21 +36,23 @@ class Axis(Generic[S]):
 
 @dataclass(frozen=True)
 class Point(Generic[S]):
-    """A point in which axes meet for every posture.
+    """The centre of a spherical joint, or a point in which axes meet for every posture.
 
     Attributes:
         joints: The axes through it.
         own: Those of them that it is named after, all of one limb.
+        called: The name of a centre; empty where the axes name the point.
     """
 
     joints: tuple[str, ...]
     own: tuple[str, ...]
     position: Vector[S]
+    called: str = ""
 
     @property
     def name(self) -> str:
         """The point in words."""
-        return f"the common point of axes {listed(self.own)}"
+        return self.called or f"the common point of axes {listed(self.own)}"
 
 
 @dataclass(frozen=True)
@@ -123,7 +125,7 @@ def _of_lines(features: Features[S]) -> Iterator[Statement]:
             words = f"{point.name} lies on axis {j}"
             yield Statement("on", words, (*point.own, j), _point_on_axis(p, j))
     for p, q in combinations(points, 2):
-        words = f"{features.points[p].name} and that of {_of(features, q)} coincide"
+        words = f"{features.points[p].name} and {_of(features, q)} coincide"
         joints = (*features.points[p].own, *features.points[q].own)
         yield Statement("coincide", words, joints, _points_coincide(p, q))
     for i, j in combinations(axes, 2):
@@ -194,7 +196,8 @@ def _adjacent(axes: Sequence[str], i: str, j: str) -> bool:
 
 
 def _of(features: Features[S], number: int) -> str:
-    return f"axes {listed(features.points[number].own)}"
+    point = features.points[number]
+    return point.called or f"that of axes {listed(point.own)}"
 
 
 def _same_line(i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:

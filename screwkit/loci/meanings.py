@@ -7,6 +7,7 @@ only an equivalent one is called its meaning.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cached_property
 
 from screwkit.algebra.branches import Branch, restricted
@@ -15,7 +16,7 @@ from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.points import Point as ExactPoint
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import equation_text
-from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.loci.features import Axis, Features, Point, Statement, statements
 from screwkit.loci.pieces import Piece, pieces_of
@@ -176,7 +177,7 @@ def features_at(
             Axis(a.joint, a.limb, at(a.direction), a.point and at(a.point))
             for a in exact.axes
         ),
-        tuple(Point(p.joints, p.own, at(p.position)) for p in exact.points),
+        tuple(replace(p, position=at(p.position)) for p in exact.points),
         exact.planes,
     )
 
@@ -207,13 +208,28 @@ def _keys(piece: Piece) -> set[str]:
     return {str(primitive(equation)) for equation in piece.equations}
 
 
+def _passes(
+    ring: TrigonometricRing, axis: Axis[Polynomial], point: Vector[Polynomial]
+) -> bool:
+    """Whether an axis contains a point for every posture."""
+    if axis.point is None:
+        return False
+    offset = cross(subtract(point, axis.point), axis.direction)
+    return all(ring.normal(value) == 0 for value in offset)
+
+
 def features_of(framed: FramedTwists) -> Features[Polynomial]:
     """Axes, and the points in which two or more of them meet for every posture."""
     ring = framed.ring
     axes = []
+    centres = {label: joint for joint, labels in framed.balls for label in labels}
+    balls: dict[str, Vector[Polynomial]] = {}
     for joint, column, point in zip(
         framed.joints, framed.columns, framed.points, strict=True
     ):
+        if joint in centres:
+            balls.setdefault(centres[joint], point)
+            continue
         turning = any(value != 0 for value in column[:3])
         direction = column[:3] if turning else column[3:]
         axes.append(
@@ -225,17 +241,14 @@ def features_of(framed: FramedTwists) -> Features[Polynomial]:
             )
         )
     points: list[Point[Polynomial]] = []
+    for joint, centre in balls.items():
+        through = tuple(a.joint for a in axes if _passes(ring, a, centre))
+        points.append(Point(through, (), centre, f"the centre of {joint}"))
     for axis in axes:
         if axis.point is None:
             continue
         through = tuple(
-            other.joint
-            for other in axes
-            if other.point is not None
-            and all(
-                ring.normal(v) == 0
-                for v in cross(subtract(axis.point, other.point), other.direction)
-            )
+            other.joint for other in axes if _passes(ring, other, axis.point)
         )
         distinct = _distinct_directions(ring, axes, through)
         if distinct > 1 and not any(

@@ -11,7 +11,7 @@ References: [LongCaroKhalil2012] (26)-(32).
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
 
@@ -22,7 +22,7 @@ from screwkit.conventions import DIRECTION, MOMENT, SCREW_DIMENSION
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.kinematics.subspaces import dimension
 from screwkit.loci.constructions import Geometry
-from screwkit.loci.features import Axis, Features, Point
+from screwkit.loci.features import Axis, Features
 from screwkit.loci.lines import Candidate, Catalogue
 from screwkit.loci.meanings import Residue, features_of
 from screwkit.screw.nullspace import (
@@ -324,7 +324,7 @@ def _mapped(
                 )
                 for a in features.axes
             ),
-            tuple(Point(p.joints, p.own, at(p.position)) for p in features.points),
+            tuple(replace(p, position=at(p.position)) for p in features.points),
             features.planes,
         ),
         at(exact.origin),

@@ -12,7 +12,7 @@ from screwkit.algebra.branches import Branch
 from screwkit.algebra.conversion import Conversion
 from screwkit.algebra.decomposition import Search
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
-from screwkit.kinematics.assembly import Assembly, SerialLimb
+from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.loci.pieces import Piece, pieces_of
 from screwkit.loci.rank_drop import generic_rank, rank_drop
 
@@ -46,7 +46,7 @@ class LimbStrata:
     complete: bool
 
 
-def limb_strata(assembly: Assembly, limb: SerialLimb) -> LimbStrata:
+def limb_strata(assembly: Assembly, limb: LimbChain) -> LimbStrata:
     """Every stratum of a limb, in the limb's own ring."""
     framed = assembly.limb_twists[limb.name]
     columns = [framed.column(joint) for joint in limb.joints]
