@@ -101,14 +101,16 @@ def check_links(draft: Draft, reading: Reading) -> None:
     """Links and joints are named once; joints, base and platform name links."""
     entry = draft.entry
     links_known = "links" not in draft.broken
+    listed: set[str] = set()
     for position, link in enumerate(entry.links):
-        if link in entry.links[:position]:
+        if link in listed:
             reading.fault(
                 ("links", position),
                 f"the link {shown(link)} stands twice; list every body once",
             )
+        listed.add(link)
     for key, link in (("base", entry.base), ("platform", entry.platform)):
-        if links_known and key not in draft.broken and link not in entry.links:
+        if links_known and key not in draft.broken and link not in listed:
             reading.fault((key,), unknown_link(link, entry.links))
     # A lone body is base and platform in one; anywhere else this is a slip.
     same = entry.base == entry.platform and not draft.broken & {"base", "platform"}
@@ -127,7 +129,7 @@ def check_links(draft: Draft, reading: Reading) -> None:
             )
         first.setdefault(joint.name, position)
         for key, link in (("parent", joint.parent), ("child", joint.child)):
-            if links_known and link not in entry.links:
+            if links_known and link not in listed:
                 reading.fault((*path, key), unknown_link(link, entry.links))
         if joint.parent == joint.child:
             reading.fault(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import re
-from bisect import bisect_right
+from dataclasses import dataclass
 from json.decoder import scanstring  # type: ignore[attr-defined]
 
 from screwkit.mechanism.nodes import (
@@ -23,8 +23,15 @@ from screwkit.mechanism.nodes import (
 )
 from screwkit.mechanism.yaml_nodes import DEEPEST
 
-_SPACE = re.compile(r"[ \t\r\n]*")
-_BARE = re.compile(r"[-+.0-9A-Za-z]+")
+_PIECE = re.compile(
+    r"""[ \t\r\n]*
+        (?: (?P<text>"[^"\\]*(?:\\.[^"\\]*)*")
+          | (?P<bracket>[\[\]{}])
+          | (?P<bare>[-+.0-9A-Za-z]+) )
+        [ \t\r\n]*[,:]?""",
+    re.VERBOSE,
+)
+"""A value, a key or a bracket, with the comma or colon behind it."""
 
 
 def json_tree(text: str, faults: Faults) -> Node | None:
@@ -44,78 +51,91 @@ def json_tree(text: str, faults: Faults) -> Node | None:
     except RecursionError:
         faults.add(None, f"nested deeper than {DEEPEST} levels")
         return None
-    reader = _Places(text, faults)
     try:
-        return reader.node(reader.skip(0), 0)[0]
+        return _Reader(text, faults).root()
     except RecursionError:
         faults.add(None, f"nested deeper than {DEEPEST} levels")
         return None
 
 
-class _Places:
-    """Walks over text that is known to be JSON."""
+@dataclass(slots=True)
+class _Open:
+    """A list or a mapping that is being read."""
+
+    place: Place
+    items: list[Node] | None
+    entries: list[Entry]
+    key: tuple[str, Place] | None = None
+
+
+class _Reader:
+    """Walks once over text that is known to be JSON."""
 
     def __init__(self, text: str, faults: Faults) -> None:
         self._text = text
         self._faults = faults
-        self._starts = [0]
-        self._starts += [match.end() for match in re.finditer("\n", text)]
+        self._line, self._start, self._last = 1, 0, 0
+        self._open: list[_Open] = []
 
-    def skip(self, position: int) -> int:
-        """The next position that is not white space."""
-        match = _SPACE.match(self._text, position)
-        assert match is not None
-        return match.end()
+    def root(self) -> Node:
+        """The node of the whole text.
 
-    def node(self, position: int, depth: int) -> tuple[Node, int]:
-        """The node at ``position`` and where it ends."""
-        if depth > DEEPEST:
+        Raises:
+            RecursionError: If the text is nested too deeply.
+        """
+        for match in _PIECE.finditer(self._text):
+            node = self._read(match)
+            if node is None:
+                continue
+            if not self._open:
+                return node
+            holder = self._open[-1]
+            if holder.items is not None:
+                holder.items.append(node)
+            elif holder.key is not None:
+                holder.entries.append(Entry(*holder.key, node))
+                holder.key = None
+        raise AssertionError("the text is no JSON")
+
+    def _read(self, match: re.Match[str]) -> Node | None:
+        """The node that is complete with this piece, if one is."""
+        kind = match.lastgroup
+        assert kind is not None
+        piece = match[kind]
+        place = self._place(match.start(kind))
+        if piece in {"]", "}"}:
+            return self._closed(self._open.pop())
+        holder = self._open[-1] if self._open else None
+        if holder is not None and holder.items is None and holder.key is None:
+            holder.key = (self._string(piece), place)
+            return None
+        if len(self._open) > DEEPEST:
             raise RecursionError
-        place = self._place(position)
-        match self._text[position]:
-            case "{":
-                return self._mapping(position, place, depth)
-            case "[":
-                return self._sequence(position, place, depth)
-            case '"':
-                value, end = scanstring(self._text, position + 1, True)
-                inner = 1 if end - position == len(value) + 2 else None
-                return Scalar(value, place, quoted=True, inner=inner), end
-        match = _BARE.match(self._text, position)
-        assert match is not None
-        value = match.group()
-        if value == "null":
+        if kind == "bracket":
+            self._open.append(_Open(place, [] if piece == "[" else None, []))
+            return None
+        if kind == "text":
+            return Scalar(
+                self._string(piece), place, True, None if "\\" in piece else 1
+            )
+        if piece == "null":
             self._faults.add(place, "null is not allowed; leave the key out")
-            value = ""
-        return Scalar(value, place), match.end()
+            piece = ""
+        return Scalar(piece, place)
 
-    def _sequence(self, position: int, place: Place, depth: int) -> tuple[Node, int]:
-        items: list[Node] = []
-        position = self.skip(position + 1)
-        while self._text[position] != "]":
-            item, position = self.node(position, depth + 1)
-            items.append(item)
-            position = self._past_comma(position)
-        return Sequence(tuple(items), place), position + 1
+    def _closed(self, done: _Open) -> Node:
+        if done.items is not None:
+            return Sequence(tuple(done.items), done.place)
+        return Mapping(unique_entries(done.entries, self._faults), done.place)
 
-    def _mapping(self, position: int, place: Place, depth: int) -> tuple[Node, int]:
-        entries: list[Entry] = []
-        position = self.skip(position + 1)
-        while self._text[position] != "}":
-            key_place = self._place(position)
-            key, position = scanstring(self._text, position + 1, True)
-            position = self.skip(self.skip(position) + 1)
-            value, position = self.node(position, depth + 1)
-            entries.append(Entry(key, key_place, value))
-            position = self._past_comma(position)
-        return Mapping(unique_entries(entries, self._faults), place), position + 1
-
-    def _past_comma(self, position: int) -> int:
-        position = self.skip(position)
-        if self._text[position] == ",":
-            position = self.skip(position + 1)
-        return position
+    def _string(self, piece: str) -> str:
+        return str(scanstring(piece, 1, True)[0]) if "\\" in piece else piece[1:-1]
 
     def _place(self, position: int) -> Place:
-        line = bisect_right(self._starts, position)
-        return Place(line, position - self._starts[line - 1] + 1)
+        """The place of a position, none of which lies before the last one asked for."""
+        passed = self._text.count("\n", self._last, position)
+        if passed:
+            self._line += passed
+            self._start = self._text.rfind("\n", self._last, position) + 1
+        self._last = position
+        return Place(self._line, position - self._start + 1)

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, Literal, TypeAlias
 
 from screwkit.algebra.expression import ZERO, Expression
@@ -206,10 +207,11 @@ class Mechanism:
         Raises:
             KeyError: If there is none.
         """
-        for joint in self.joints:
-            if joint.name == name:
-                return joint
-        raise KeyError(name)
+        return self._by_name[name]
+
+    @cached_property
+    def _by_name(self) -> Mapping[str, Joint]:
+        return {joint.name: joint for joint in self.joints}
 
     @property
     def joint_variables(self) -> tuple[str, ...]:

@@ -6,11 +6,13 @@ something already reported is passed over in silence.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import Final
 
-from screwkit.algebra.expression import ZERO, Expression
+from screwkit.algebra.expression import ZERO, Expression, Number
 from screwkit.algebra.names import RESERVED, did_you_mean, shown
 from screwkit.algebra.parse import parse, parse_vector
 from screwkit.algebra.tokens import names_in
@@ -22,6 +24,9 @@ from screwkit.mechanism.structure import subject
 
 _SOME: Final = 8
 """How many names a message lists."""
+_NUMBER: Final = re.compile(
+    r"(?P<above>-?[0-9]{1,15}(?:\.[0-9]{1,15})?)(?:/(?P<below>[0-9]{1,15}))?"
+)
 
 
 @dataclass
@@ -44,6 +49,7 @@ class Reading:
     planar: bool = False
     required: list[tuple[Path, Requirement]] = field(default_factory=list)
     _met: set[Requirement] = field(default_factory=set)
+    _read: dict[tuple[str, frozenset[str]], Expression] = field(default_factory=dict)
 
     def fault(self, path: Path, message: str, offset: int | None = None) -> None:
         """Note a fault in what stands at ``path``."""
@@ -62,7 +68,13 @@ class Reading:
         self, path: Path, text: str, names: Iterable[str] | None = None
     ) -> Expression | None:
         """The expression at ``path``; None after a fault."""
-        allowed = frozenset(self.names if names is None else names)
+        known = _number(text)
+        if known is not None:
+            return known
+        allowed = self.names if names is None else frozenset(names)
+        known = self._read.get((text, allowed))
+        if known is not None:
+            return known
         if not self._are_known(path, text, allowed):
             return None
         try:
@@ -70,7 +82,10 @@ class Reading:
         except ExpressionError as error:
             self.fault(path, str(error), error.position)
             return None
-        return read if self._has_sense(path, read) else None
+        if not self._has_sense(path, read):
+            return None
+        self._read[text, allowed] = read
+        return read
 
     def vector(
         self, path: Path, written: str | tuple[str, ...]
@@ -128,6 +143,14 @@ class Reading:
                 near = did_you_mean(name, {*allowed, *self.vectors, *RESERVED})
                 self.fault(path, f"unknown name {shown(name)}{near}", position)
         return known
+
+
+def _number(text: str) -> Expression | None:
+    """A plain number or fraction, which is most of what large files hold."""
+    match = _NUMBER.fullmatch(text)
+    if match is None or not int(match["below"] or 1):
+        return None
+    return Number(Fraction(match["above"]) / int(match["below"] or 1))
 
 
 def unknown_link(name: str, links: Sequence[str]) -> str:
