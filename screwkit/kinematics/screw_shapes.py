@@ -49,11 +49,9 @@ class Kind(Enum):
     LINES_AND_TRANSLATIONS = auto()
     FLAT_PENCIL = auto()
     HELICAL_PENCIL = auto()
-    CYLINDROID_WITH_ONE = auto()
     CYLINDROID = auto()
     FIELD = auto()
     HELICAL_FIELD = auto()
-    CYLINDROID_AND_NORMAL_WITH_ONE = auto()
     CYLINDROID_AND_NORMAL = auto()
     PENCIL_AND_TRANSLATION = auto()
     CYLINDROID_AND_TRANSLATION = auto()
@@ -72,7 +70,7 @@ class Shape:
         reciprocal: Whether kind and elements are those of the reciprocal system.
         vectors: Directions and normals, each up to a factor.
         points: Points, by name.
-        numbers: Pitches.
+        numbers: Pitches; ``pitches`` is the product of the two principal ones.
     """
 
     kind: Kind
@@ -148,9 +146,8 @@ def _two_screws(system: ScrewStructure) -> Shape:
     a, b = system.directions
     vectors = {"normal": _normal(a, b, p)}
     points = {"point": centre(screws, p)}
-    kinds = Kind.FLAT_PENCIL, Kind.HELICAL_PENCIL
-    others = Kind.CYLINDROID_WITH_ONE, Kind.CYLINDROID
-    kind, numbers = _by_pitches(screws, (*kinds, *others), p)
+    kinds = Kind.FLAT_PENCIL, Kind.HELICAL_PENCIL, Kind.CYLINDROID
+    kind, numbers = _by_pitches(screws, kinds, p)
     return Shape(kind, False, vectors, points, numbers)
 
 
@@ -161,9 +158,8 @@ def _two_directions_and_moment(system: ScrewStructure) -> Shape:
     screws = (*system.pitched, *system.free)
     point = centre(screws, p)
     if not system.free:
-        kinds = Kind.FIELD, Kind.HELICAL_FIELD
-        others = Kind.CYLINDROID_AND_NORMAL_WITH_ONE, Kind.CYLINDROID_AND_NORMAL
-        kind, numbers = _by_pitches(screws, (*kinds, *others), p)
+        kinds = Kind.FIELD, Kind.HELICAL_FIELD, Kind.CYLINDROID_AND_NORMAL
+        kind, numbers = _by_pitches(screws, kinds, p)
         return Shape(kind, False, vectors, {"foot": point}, numbers)
     of_line = pitch(system.pitched[0], p)
     if not of_line:
@@ -175,9 +171,9 @@ def _two_directions_and_moment(system: ScrewStructure) -> Shape:
 
 
 def _by_pitches(
-    screws: Sequence[Residues], kinds: tuple[Kind, Kind, Kind, Kind], prime: int
+    screws: Sequence[Residues], kinds: tuple[Kind, Kind, Kind], prime: int
 ) -> tuple[Kind, Mapping[str, int]]:
-    """All of pitch zero, all of one pitch, one of pitch zero, or none of these."""
+    """All of pitch zero, all of one pitch, or neither."""
     a, b = screws
     aa, ab, bb = product(a, a), product(a, b), product(b, b)
     x, y = a[DIRECTION], b[DIRECTION]
@@ -187,11 +183,8 @@ def _by_pitches(
     minors = aa * xy - ab * xx, aa * yy - bb * xx, ab * yy - bb * xy
     if not any(minor % prime for minor in minors):
         return kinds[1], {"pitch": pitch(a, prime)}
-    determinant = (aa * bb - ab * ab) % prime
-    if not determinant:
-        return kinds[2], {}
     below = pow(4 * (xx * yy - xy * xy), -1, prime)
-    return kinds[3], {"pitches": determinant * below % prime}
+    return kinds[2], {"pitches": (aa * bb - ab * ab) * below % prime}
 
 
 def _three_screws(system: ScrewStructure) -> Shape:

@@ -1,0 +1,283 @@
+"""The class of a screw system: what motion a body has, or what wrenches it bears.
+
+A system is given by any basis, modulo two primes at a random posture.  Its kind, its
+dimensions and whether it is closed under the Lie bracket are exact and the same modulo
+both; its lines, planes and pitches are named where short numbers explain them.  A
+closed system of twists is the algebra of a displacement group; that the body moves in
+that group is a statement about finite motion and not made here.
+
+References: [Herve1999], [Hunt1978], ch. 12.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from screwkit.algebra.modular import ResampleError
+from screwkit.algebra.reconstruction import AlgebraicNumber, Reconstruction
+from screwkit.kinematics.class_words import SUBGROUPS, TWISTS, WORDS, WRENCHES
+from screwkit.kinematics.exact_principal_screws import known_principal_screws
+from screwkit.kinematics.principal_screws import PrincipalScrew
+from screwkit.kinematics.screw_shapes import Shape, shape_of
+from screwkit.kinematics.screw_structure import Residues, ScrewStructure
+from screwkit.kinematics.subspaces import Row
+
+System: TypeAlias = tuple[Sequence[Row], int]
+"""Screws modulo a prime."""
+
+
+@dataclass(frozen=True)
+class Element:
+    """A direction, point or pitch that a system singles out.
+
+    Attributes:
+        name: ``direction``, ``normal``, ``second`` (each up to a factor); ``point``,
+            ``foot`` (the point of a plane nearest to the origin); ``pitch``,
+            ``second_pitch``, ``pitches`` (the product of the principal ones).
+        residues: Modulo the first prime and the second.
+        numbers: The same exactly; None where no short numbers have these residues.
+    """
+
+    name: str
+    residues: tuple[Residues, Residues]
+    numbers: tuple[AlgebraicNumber, ...] | None
+
+    @property
+    def texts(self) -> tuple[str, ...] | None:
+        """The numbers in the grammar."""
+        if self.numbers is None:
+            return None
+        return tuple(number.text for number in self.numbers)
+
+
+@dataclass(frozen=True)
+class SystemClass:
+    """What a system of twists, or of wrenches, consists of.
+
+    Attributes:
+        translations: Dimension n of the pure translations (of wrenches: couples).
+        rotations: dimension − n.
+        motion_type: nTmR; empty for wrenches.
+        name: Short, ``Schönflies motion``.
+        words: A sentence that begins with the name.
+        subgroup: Whether the system is closed under the Lie bracket, hence the algebra
+            of a displacement group; False for wrenches.
+        within: Name of the smallest such group whose algebra holds the system; empty
+            for wrenches.
+        elements: The lines, planes and pitches of the sentence; those of the
+            reciprocal system where the dimension is above three.
+        principal: Principal screws; empty where the system has no short numbers.
+    """
+
+    dimension: int
+    translations: int
+    rotations: int
+    motion_type: str
+    name: str
+    words: str
+    subgroup: bool
+    within: str
+    elements: tuple[Element, ...]
+    principal: tuple[PrincipalScrew, ...]
+
+
+def classify(
+    systems: Sequence[System], known: Reconstruction | None = None
+) -> SystemClass:
+    """The class of one system of twists, given modulo two primes.
+
+    Args:
+        systems: Rows (ω; v) that span it, dependent or not, with their prime; twice.
+        known: The way back to exact numbers, for the same primes in this order;
+            without it lines and planes stay unnamed.
+
+    Raises:
+        ResampleError: If the system is not of the same class modulo both primes.
+        ValueError: If ``known`` belongs to other primes.
+    """
+    pair = _pair(systems, known)
+    shape, elements = _shape(pair, known)
+    words = WORDS[shape.kind, shape.reciprocal]
+    hull = shape_of(pair[0].hull)
+    translations, rotations = _dimensions(pair[0])
+    return SystemClass(
+        dimension=pair[0].dimension,
+        translations=translations,
+        rotations=rotations,
+        motion_type=f"{translations}T{rotations}R",
+        name=words.motion,
+        words=_sentence(words.motion, words.sentence, elements, TWISTS),
+        subgroup=(shape.kind, shape.reciprocal) in SUBGROUPS,
+        within=WORDS[hull.kind, hull.reciprocal].motion,
+        elements=elements,
+        principal=known_principal_screws(pair, known) if known else (),
+    )
+
+
+def classify_wrenches(
+    systems: Sequence[System], known: Reconstruction | None = None
+) -> SystemClass:
+    """The class of one system of wrenches, rows (f; m); otherwise as `classify`.
+
+    Raises:
+        ResampleError: If the system is not of the same class modulo both primes.
+        ValueError: If ``known`` belongs to other primes.
+    """
+    pair = _pair(systems, known)
+    shape, elements = _shape(pair, known)
+    words = WORDS[shape.kind, shape.reciprocal]
+    couples, forces = _dimensions(pair[0])
+    return SystemClass(
+        dimension=pair[0].dimension,
+        translations=couples,
+        rotations=forces,
+        motion_type="",
+        name=words.wrenches,
+        words=_sentence(words.wrenches, words.sentence, elements, WRENCHES),
+        subgroup=False,
+        within="",
+        elements=elements,
+        principal=known_principal_screws(pair, known) if known else (),
+    )
+
+
+def _pair(
+    systems: Sequence[System], known: Reconstruction | None
+) -> tuple[ScrewStructure, ScrewStructure]:
+    first, second = (ScrewStructure.spanned_by(rows, prime) for rows, prime in systems)
+    if known and known.primes != (first.prime, second.prime):
+        raise ValueError("the numbers and the systems belong to different primes")
+    return first, second
+
+
+def _dimensions(system: ScrewStructure) -> tuple[int, int]:
+    """Of the pure moments, and of the rest."""
+    return len(system.moments), system.dimension - len(system.moments)
+
+
+def _shape(
+    pair: tuple[ScrewStructure, ScrewStructure], known: Reconstruction | None
+) -> tuple[Shape, tuple[Element, ...]]:
+    """The common shape modulo both primes, and its elements.
+
+    Raises:
+        ResampleError: If there is no common shape.
+    """
+    shapes = first, second = shape_of(pair[0]), shape_of(pair[1])
+    integers = [
+        (
+            shape.kind,
+            shape.reciprocal,
+            tuple(map(bool, shape.numbers.values())),
+            _dimensions(system),
+            _dimensions(system.hull),
+        )
+        for shape, system in zip(shapes, pair, strict=True)
+    ]
+    if integers[0] != integers[1]:
+        raise ResampleError
+    elements: list[Element] = []
+    for name, vector in first.vectors.items():
+        two = vector, second.vectors[name]
+        elements.append(Element(name, two, known.direction(*two) if known else None))
+    for name, point in first.points.items():
+        two = point, second.points[name]
+        elements.append(Element(name, two, known.numbers(*two) if known else None))
+    for name, number in first.numbers.items():
+        two = (number,), (second.numbers[name],)
+        elements.append(Element(name, two, known.numbers(*two) if known else None))
+    return first, tuple(elements)
+
+
+# -- words -----------------------------------------------------------------------
+
+
+def _sentence(
+    name: str,
+    pattern: str,
+    elements: Sequence[Element],
+    vocabulary: Mapping[str, str],
+) -> str:
+    """The name, unless the pattern begins with it, and what is known filled in."""
+    phrases = {**vocabulary, **_phrases(elements), **_realities(elements, vocabulary)}
+    sentence = pattern.format(**phrases)
+    return sentence if sentence.startswith(name) else f"{name}: {sentence}"
+
+
+def _phrases(elements: Sequence[Element]) -> Mapping[str, str]:
+    """Lines, planes and pitches in words, by the names that the patterns use."""
+    known = {e.name: e.texts for e in elements if e.texts is not None}
+
+    def vector(name: str) -> str:
+        return f"[{', '.join(known[name])}]" if name in known else ""
+
+    def line(noun: str, point: str, direction: str) -> str:
+        through = f" through {vector(point)}" if point in known else ""
+        along = f" along {vector(direction)}" if direction in known else ""
+        article = "the" if through and along else _article(noun)
+        return f"{article} {noun}{through}{along}"
+
+    def along(name: str) -> str:
+        return f"the direction {vector(name)}" if name in known else "one direction"
+
+    def across(name: str) -> str:
+        return f"normal to {vector(name) or 'one direction'}"
+
+    def advance(name: str) -> str:
+        return f"of pitch {known[name][0]}" if name in known else "of one pitch"
+
+    plane = f"plane through {vector('foot')} {across('normal')}"
+    return {
+        "axis": line("axis", "point", "direction"),
+        "central": line("line", "point", "normal"),
+        "direction": along("direction"),
+        "line": along("direction"),
+        "normal": along("normal"),
+        "second": along("second"),
+        "across_normal": across("normal"),
+        "across_second": across("second"),
+        "point": f"the point {vector('point')}" if "point" in known else "one point",
+        "flat": f"the plane {across('normal')}" if "normal" in known else "one plane",
+        "plane": f"the {plane}" if {"foot", "normal"} <= known.keys() else "one plane",
+        "pitch": advance("pitch"),
+        "second_pitch": advance("second_pitch"),
+    }
+
+
+def _realities(
+    elements: Sequence[Element], vocabulary: Mapping[str, str]
+) -> Mapping[str, str]:
+    """How many screws of pitch 0 a cylindroid has, where the sign is known."""
+    product = next((e for e in elements if e.name == "pitches"), None)
+    names = "real", "real_directions", "held_real"
+    if product is None:
+        return dict.fromkeys(names, "")
+    one, many = vocabulary["one"], vocabulary["many"]
+    held_one, held_many = vocabulary["held_one"], vocabulary["held_many"]
+    if not any(map(any, product.residues)):
+        phrases = (
+            f"; {one} is among them",
+            f"; {many} of one direction are among them",
+            f"; the reciprocal system holds {held_one}",
+        )
+    elif product.numbers is None:
+        phrases = ("", "", "")
+    elif product.numbers[0].sign > 0:
+        phrases = (
+            f"; no {many} are among them",
+            f"; no {many} are among them",
+            f"; the reciprocal system holds no {held_many}",
+        )
+    else:
+        phrases = (
+            f"; two {many} on skew axes are among them",
+            f"; {many} of two directions are among them",
+            f"; the reciprocal system holds two {held_many} on skew axes",
+        )
+    return dict(zip(names, phrases, strict=True))
+
+
+def _article(noun: str) -> str:
+    return "an" if noun[0] in "aeiou" else "a"
