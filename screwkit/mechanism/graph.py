@@ -6,7 +6,8 @@ edges.  The only importer of networkx, which is loaded when it is first needed.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections import deque
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -77,8 +78,7 @@ def independent_loops(mechanism: Mechanism) -> int:
 
 def spanning_tree(mechanism: Mechanism) -> tuple[str, ...]:
     """Joints of a spanning forest that keeps the distance to the base shortest."""
-    reached = _reached(mechanism)
-    kept = {steps[-1][0] for steps in reached.values() if steps}
+    kept = _forest(mechanism).joints
     return tuple(joint.name for joint in mechanism.joints if joint.name in kept)
 
 
@@ -89,30 +89,30 @@ def fundamental_loops(mechanism: Mechanism) -> tuple[tuple[Step, ...], ...]:
     both have in common is left out.  With the base in the component, a loop starts at
     the link on it that is nearest to the base.
     """
-    reached = _reached(mechanism)
-    tree = {steps[-1][0] for steps in reached.values() if steps}
+    forest = _forest(mechanism)
     loops = []
     for joint in mechanism.joints:
-        if joint.name in tree:
+        if joint.name in forest.joints:
             continue
-        out, back = reached[joint.parent], reached[joint.child]
-        shared = 0
-        while shared < min(len(out), len(back)) and out[shared] == back[shared]:
-            shared += 1
-        backwards = tuple((name, -sign) for name, sign in reversed(back[shared:]))
-        loops.append((*out[shared:], (joint.name, 1), *backwards))
+        out, back = forest.ways_from_meeting(joint.parent, joint.child)
+        backwards = ((name, -sign) for name, sign in reversed(back))
+        loops.append((*out, (joint.name, 1), *backwards))
     return tuple(loops)
 
 
 def limbs(mechanism: Mechanism) -> tuple[Limb, ...]:
     """The limbs, in the order of their first joints, with the names of the file."""
-    found = []
     connecting = [part for part in _parts(mechanism) if len(part.touches) == 2]
-    for number, part in enumerate(connecting, start=1):
-        name = _name_of(part, mechanism) or f"limb_{number}"
-        path = _serial_path(part, mechanism)
-        found.append(Limb(name, part.joints, part.links, path))
-    return tuple(found)
+    names = _names_of(connecting, mechanism)
+    return tuple(
+        Limb(
+            names.get(number, f"limb_{number + 1}"),
+            part.joints,
+            part.links,
+            _serial_path(part, mechanism),
+        )
+        for number, part in enumerate(connecting)
+    )
 
 
 def other_parts(mechanism: Mechanism) -> tuple[Part, ...]:
@@ -142,26 +142,20 @@ def _parts(mechanism: Mechanism) -> tuple[Part, ...]:
     ends = (mechanism.base, mechanism.platform)
     inner = [link for link in mechanism.links if link not in ends]
     between = [j for j in mechanism.joints if not {j.parent, j.child} & set(ends)]
-    parts: list[tuple[Sequence[Joint], tuple[str, ...]]] = []
-    for links in _groups(inner, between):
-        members = set(links)
-        own = [j for j in mechanism.joints if {j.parent, j.child} & members]
-        if own:
-            parts.append((own, links))
-    parts.extend(
-        ([joint], ())
-        for joint in mechanism.joints
-        if {joint.parent, joint.child} <= set(ends)
-    )
-    order = {joint.name: i for i, joint in enumerate(mechanism.joints)}
-    parts.sort(key=lambda part: order[part[0][0].name])
+    groups = _groups(inner, between)
+    group_of = {link: i for i, links in enumerate(groups) for link in links}
+    # Parts in the order of their first joints; a joint between the ends is one alone.
+    owned: dict[int | str, list[Joint]] = {}
+    for joint in mechanism.joints:
+        inside = joint.child if joint.parent in ends else joint.parent
+        owned.setdefault(group_of.get(inside, joint.name), []).append(joint)
     return tuple(
         Part(
-            tuple(joint.name for joint in own),
-            links,
-            tuple(e for e in dict.fromkeys(ends) if any(_has(j, e) for j in own)),
+            tuple(joint.name for joint in joints),
+            groups[key] if isinstance(key, int) else (),
+            tuple(e for e in dict.fromkeys(ends) if any(_has(j, e) for j in joints)),
         )
-        for own, links in parts
+        for key, joints in owned.items()
     )
 
 
@@ -169,27 +163,33 @@ def _has(joint: Joint, link: str) -> bool:
     return link in (joint.parent, joint.child)
 
 
-def _name_of(part: Part, mechanism: Mechanism) -> str | None:
-    """The name whose joints belong to the part."""
+def _names_of(parts: Sequence[Part], mechanism: Mechanism) -> dict[int, str]:
+    """By position, the first name in the file all of whose joints belong to a part."""
+    part_of = {name: i for i, part in enumerate(parts) for name in part.joints}
+    names: dict[int, str] = {}
     for name, joints in mechanism.limb_names.items():
-        if joints and set(joints) <= set(part.joints):
-            return name
-    return None
+        owners = {part_of.get(joint) for joint in joints}
+        if len(owners) == 1 and (owner := owners.pop()) is not None:
+            names.setdefault(owner, name)
+    return names
 
 
 def _serial_path(part: Part, mechanism: Mechanism) -> tuple[Step, ...] | None:
     """The way from base to platform, if it uses every joint and never branches."""
-    left = [joint for joint in mechanism.joints if joint.name in part.joints]
-    here = mechanism.base
+    at: dict[str, list[Joint]] = {}
+    for name in part.joints:
+        joint = mechanism.joint(name)
+        at.setdefault(joint.parent, []).append(joint)
+        at.setdefault(joint.child, []).append(joint)
+    here, last = mechanism.base, ""
     visited = {here}
     path: list[Step] = []
-    while left:
-        onward = [joint for joint in left if _has(joint, here)]
+    while len(path) < len(part.joints):
+        onward = [joint for joint in at[here] if joint.name != last]
         if len(onward) != 1 or here == mechanism.platform:
             return None
-        joint = onward[0]
-        left.remove(joint)
-        path.append((joint.name, 1 if joint.parent == here else -1))
+        joint, last = onward[0], onward[0].name
+        path.append((last, 1 if joint.parent == here else -1))
         here = joint.child if joint.parent == here else joint.parent
         if here in visited:
             return None
@@ -217,19 +217,52 @@ def _groups(
     return tuple(tuple(group) for group in groups.values())
 
 
-def _reached(mechanism: Mechanism) -> dict[str, tuple[Step, ...]]:
-    """For every link the way to it in a breadth-first forest rooted at the base."""
-    import networkx as nx  # noqa: PLC0415
+@dataclass(frozen=True)
+class _Forest:
+    """A breadth-first forest: for every link the step that leads to it.
 
-    graph = joint_graph(mechanism)
-    reached: dict[str, tuple[Step, ...]] = {}
+    Attributes:
+        above: The link before it, and the step; roots have neither.
+        depth: Steps from the root.
+        joints: Names of the joints that the forest uses.
+    """
+
+    above: Mapping[str, tuple[str, Step]]
+    depth: Mapping[str, int]
+    joints: frozenset[str]
+
+    def ways_from_meeting(self, left: str, right: str) -> tuple[list[Step], list[Step]]:
+        """The ways down to two links from the deepest link above both."""
+        ways: tuple[list[Step], list[Step]] = ([], [])
+        ends = [left, right]
+        while ends[0] != ends[1]:
+            side = 0 if self.depth[ends[0]] >= self.depth[ends[1]] else 1
+            ends[side], step = self.above[ends[side]]
+            ways[side].append(step)
+        return ways[0][::-1], ways[1][::-1]
+
+
+def _forest(mechanism: Mechanism) -> _Forest:
+    """Rooted at the base, then at the first link of each other component."""
+    # Of several joints between two links the first of the file is the tree's.
+    beside: dict[str, dict[str, Joint]] = {link: {} for link in mechanism.links}
+    for joint in mechanism.joints:
+        beside[joint.parent].setdefault(joint.child, joint)
+        beside[joint.child].setdefault(joint.parent, joint)
+    above: dict[str, tuple[str, Step]] = {}
+    depth: dict[str, int] = {}
     for root in (mechanism.base, *mechanism.links):
-        if root in reached:
+        if root in depth:
             continue
-        reached[root] = ()
-        for here, there in nx.bfs_edges(graph, root):
-            # Of several joints between two links the first of the file is the tree's.
-            joint = next(iter(graph[here][there].values()))["joint"]
-            sign = 1 if joint.parent == here else -1
-            reached[there] = (*reached[here], (joint.name, sign))
-    return reached
+        depth[root] = 0
+        queue = deque([root])
+        while queue:
+            here = queue.popleft()
+            for there, joint in beside[here].items():
+                if there not in depth:
+                    sign = 1 if joint.parent == here else -1
+                    above[there] = (here, (joint.name, sign))
+                    depth[there] = depth[here] + 1
+                    queue.append(there)
+    used = frozenset(name for _, (name, _) in above.values())
+    return _Forest(above, depth, used)

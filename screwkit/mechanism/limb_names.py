@@ -35,18 +35,18 @@ def check_limb_names(mechanism: Mechanism, draft: Draft, reading: Reading) -> No
             sound = False
     if not sound:
         return  # the graph cannot be trusted
-    found = limbs(mechanism)
+    home = {name: limb for limb in limbs(mechanism) for name in limb.joints}
     for limb_name, names in mechanism.limb_names.items():
         path = ("limbs", limb_name)
-        home = [limb for limb in found if set(limb.joints) & set(names)]
-        if len(home) != 1 or not set(names) <= set(home[0].joints):
+        limb = home.get(names[0])
+        if limb is None or any(home.get(name) is not limb for name in names):
             reading.fault(
                 path,
                 "these joints do not form one limb; a limb is a component of the "
                 "graph without base and platform, with its joints to both",
             )
             continue
-        moving = [n for n in home[0].joints if has_freedom(by_name[n])]
-        forgotten = [name for name in moving if name not in names]
+        moving = [n for n in limb.joints if has_freedom(by_name[n])]
+        forgotten = [name for name in moving if owners.get(name) != limb_name]
         if forgotten:
             reading.fault(path, f"the limb has also the joint {forgotten[0]!r}")

@@ -223,7 +223,6 @@ class TestBundledCases:
         assert mechanism.name == path.stem
         assert mechanism.title
         assert mechanism.source
-        assert mechanism.actuated
         assert mechanism.claims
         assert all(claim.source.strip() for claim in mechanism.claims)
         found = limbs(mechanism)
