@@ -199,7 +199,8 @@ def _with_numbers(mechanism: Mechanism, values: Mapping[str, object]) -> Mechani
 
 
 def _with_actuated(mechanism: Mechanism, actuated: Sequence[str]) -> Mechanism:
-    known = actuable_freedoms(mechanism)
+    known = dict.fromkeys(actuable_freedoms(mechanism))
+    wanted = frozenset(actuated)
     for name in actuated:
         if name not in known:
             hint = did_you_mean(name, known)
@@ -208,12 +209,12 @@ def _with_actuated(mechanism: Mechanism, actuated: Sequence[str]) -> Mechanism:
             )
     return replace(
         mechanism,
-        joints=tuple(_driven(joint, set(actuated)) for joint in mechanism.joints),
+        joints=tuple(_driven(joint, wanted) for joint in mechanism.joints),
         scheme_order=tuple(actuated),
     )
 
 
-def _driven(joint: Joint, actuated: set[str]) -> Joint:
+def _driven(joint: Joint, actuated: frozenset[str]) -> Joint:
     driven = tuple(
         index
         for index in range(len(joint.variables))

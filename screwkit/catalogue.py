@@ -57,22 +57,13 @@ def _read(case: str, changes: Mapping[str, Any] | None = None) -> Any:
 
 
 def _counts(mechanism: Any) -> dict[str, int]:
-    links, joints = mechanism.links, mechanism.joints
-    group = {link: link for link in links}
+    from screwkit.mechanism.graph import independent_loops  # noqa: PLC0415
 
-    def head(link: str) -> str:
-        while group[link] != link:
-            link = group[link]
-        return link
-
-    for joint in joints:
-        group[head(joint.parent)] = head(joint.child)
-    components = sum(group[link] == link for link in links)
     return {
-        "links": len(links),
-        "joints": len(joints),
-        "freedoms": sum(len(joint.variables) for joint in joints),
-        "loops": len(joints) - len(links) + components,
+        "links": len(mechanism.links),
+        "joints": len(mechanism.joints),
+        "freedoms": sum(len(joint.variables) for joint in mechanism.joints),
+        "loops": independent_loops(mechanism),
     }
 
 

@@ -6,10 +6,11 @@ several.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from screwkit.algebra.expression import ZERO, Expression
-from screwkit.algebra.names import did_you_mean, shown
+from screwkit.algebra.names import shown
 from screwkit.mechanism.joints import CATALOGUE, is_actuable
 from screwkit.mechanism.model import Joint, freedom_label
 from screwkit.mechanism.nodes import Path
@@ -32,20 +33,17 @@ def read_actuation(
     if listed is None:
         order = by_flags
     else:
-        order = tuple(
-            freedom_label(next(j for j in joints if j.name == name), k)
-            for name, k in listed
-        )
+        by_name = {joint.name: joint for joint in joints}
+        order = tuple(freedom_label(by_name[name], k) for name, k in listed)
         if by_flags and set(by_flags) != set(order):
             reading.fault(
                 ("actuated",),
                 "the list and the flags on the joints name different freedoms; "
                 "declare the scheme in one place",
             )
-        flagged = {
-            joint.name: tuple(sorted(k for name, k in listed if name == joint.name))
-            for joint in joints
-        }
+        flagged = {joint.name: () for joint in joints}
+        for name, k in sorted(listed):
+            flagged[name] = (*flagged[name], k)
     marked = tuple(replace(joint, actuated=flagged[joint.name]) for joint in joints)
     return marked, order
 
@@ -84,23 +82,27 @@ def _listed(
 ) -> tuple[tuple[str, int], ...] | None:
     if draft.entry.actuated is None:
         return None
-    found: list[tuple[str, int]] = []
+    by_name = {joint.name: joint for joint in joints}
+    found: dict[tuple[str, int], None] = {}
     for position, label in enumerate(draft.entry.actuated):
         path: Path = ("actuated", position)
-        freedom = _resolved(label, path, joints, draft, reading)
+        freedom = _resolved(label, path, by_name, draft, reading)
         if freedom is None:
             continue
         if freedom in found:
             reading.fault(path, f"{shown(label)} stands twice")
         else:
-            found.append(freedom)
+            found[freedom] = None
     return tuple(found)
 
 
 def _resolved(
-    label: str, path: Path, joints: tuple[Joint, ...], draft: Draft, reading: Reading
+    label: str,
+    path: Path,
+    by_name: Mapping[str, Joint],
+    draft: Draft,
+    reading: Reading,
 ) -> tuple[str, int] | None:
-    by_name = {joint.name: joint for joint in joints}
     joint, index = by_name.get(label), None
     if joint is None:
         stem, colon, digits = label.rpartition(":")
@@ -108,7 +110,7 @@ def _resolved(
             joint, index = by_name[stem], int(digits[:3])
     if joint is None:
         if not {label, label.rpartition(":")[0]} & draft.lost("name"):
-            near = did_you_mean(label, by_name)
+            near = reading.nearest(label, by_name)
             reading.fault(path, f"unknown joint {shown(label)}{near}")
         return None
     if not is_actuable(joint.type):

@@ -32,7 +32,7 @@ from screwkit.mechanism.nodes import (
     find,
 )
 from screwkit.mechanism.places import read_places, read_pose
-from screwkit.mechanism.reading import Reading, unknown_link
+from screwkit.mechanism.reading import Reading
 from screwkit.mechanism.schema import MdhEntry, MechanismEntry
 from screwkit.mechanism.structure import Draft
 from screwkit.mechanism.symbols import (
@@ -111,7 +111,7 @@ def check_links(draft: Draft, reading: Reading) -> None:
         listed.add(link)
     for key, link in (("base", entry.base), ("platform", entry.platform)):
         if links_known and key not in draft.broken and link not in listed:
-            reading.fault((key,), unknown_link(link, entry.links))
+            reading.fault((key,), reading.unknown_link(link, entry.links))
     # A lone body is base and platform in one; anywhere else this is a slip.
     same = entry.base == entry.platform and not draft.broken & {"base", "platform"}
     if same and len(entry.links) > 1:
@@ -130,7 +130,7 @@ def check_links(draft: Draft, reading: Reading) -> None:
         first.setdefault(joint.name, position)
         for key, link in (("parent", joint.parent), ("child", joint.child)):
             if links_known and link not in listed:
-                reading.fault((*path, key), unknown_link(link, entry.links))
+                reading.fault((*path, key), reading.unknown_link(link, entry.links))
         if joint.parent == joint.child:
             reading.fault(
                 (*path, "child"),

@@ -6,7 +6,7 @@ those that the file gives them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Final
 
 from screwkit.algebra.expression_building import symbols_of
@@ -23,7 +23,6 @@ from screwkit.mechanism.model import Joint, JointType
 from screwkit.mechanism.nodes import Path, find
 from screwkit.mechanism.reading import Reading
 from screwkit.mechanism.requirements import Requirement, nonzero
-from screwkit.mechanism.schema import MechanismEntry
 from screwkit.mechanism.structure import Draft
 from screwkit.mechanism.vanishing import is_zero
 
@@ -169,21 +168,22 @@ def check_antecedents(
     entry = draft.entry
     if entry.geometry != "mdh" or draft.broken & {"geometry", "joints", "base"}:
         return
-    placed = _placed_bodies(joints, entry) | draft.lost("child")
-    children = {joint.child for joint in joints if _places(joint)}
+    placing = [joint for joint in joints if _places(joint)]
+    placed = _placed_bodies(placing, entry.base) | draft.lost("child")
+    parent_of = {joint.child: joint.parent for joint in reversed(placing)}
     for joint, position in zip(joints, positions, strict=True):
         if joint.mdh is None or joint.parent in placed:
             continue
         if joint.parent not in entry.links or joint.parent == joint.child:
             continue  # reported already
         path: Path = ("joints", position, "mdh")
-        if joint.parent not in children:
+        if joint.parent not in parent_of:
             reading.fault(
                 path,
                 f"the row hangs on {shown(joint.parent)}, a body that no joint "
                 f"places: the antecedent is the joint whose child is the parent",
             )
-        elif _turns_in_circles(joint, joints):
+        elif _turns_in_circles(joint, parent_of):
             reading.fault(
                 path,
                 f"the antecedents of this row run in a circle and never reach the "
@@ -196,28 +196,27 @@ def _places(joint: Joint) -> bool:
     return joint.type in MDH_TYPES | RIGID
 
 
-def _placed_bodies(joints: Iterable[Joint], entry: MechanismEntry) -> set[str]:
-    placed = {entry.base}
-    remaining = [joint for joint in joints if _places(joint)]
-    grew = True
-    while grew:
-        grew = False
-        for joint in list(remaining):
-            if joint.parent in placed:
-                placed.add(joint.child)
-                remaining.remove(joint)
-                grew = True
+def _placed_bodies(placing: Iterable[Joint], base: str) -> set[str]:
+    children: dict[str, list[str]] = {}
+    for joint in placing:
+        children.setdefault(joint.parent, []).append(joint.child)
+    placed = {base}
+    waiting = [base]
+    while waiting:
+        for child in children.get(waiting.pop(), ()):
+            if child not in placed:
+                placed.add(child)
+                waiting.append(child)
     return placed
 
 
-def _turns_in_circles(joint: Joint, joints: Sequence[Joint]) -> bool:
+def _turns_in_circles(joint: Joint, parent_of: Mapping[str, str]) -> bool:
     """Whether following the antecedents comes back to a body seen before."""
     seen = {joint.child}
     here = joint.parent
     while here not in seen:
         seen.add(here)
-        before = next((j for j in joints if j.child == here and _places(j)), None)
-        if before is None:
+        if here not in parent_of:
             return False
-        here = before.parent
+        here = parent_of[here]
     return True

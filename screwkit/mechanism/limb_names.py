@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from screwkit.algebra.names import did_you_mean, shown
+from screwkit.algebra.names import shown
 from screwkit.mechanism.graph import has_freedom, limbs
 from screwkit.mechanism.model import Mechanism
 from screwkit.mechanism.nodes import Path
@@ -20,7 +20,7 @@ def check_limb_names(mechanism: Mechanism, draft: Draft, reading: Reading) -> No
         for position, name in enumerate(names):
             path: Path = ("limbs", limb_name, position)
             if name not in by_name and name not in lost:
-                near = did_you_mean(name, by_name)
+                near = reading.nearest(name, by_name)
                 reading.fault(path, f"unknown joint {shown(name)}{near}")
                 sound = False
             elif name in owners:

@@ -30,7 +30,8 @@ from screwkit.algebra.vector_expression import (
 )
 from screwkit.mechanism.model import Pose
 from screwkit.mechanism.nodes import Path, find
-from screwkit.mechanism.reading import Reading, unknown_link
+from screwkit.mechanism.ordering import in_order_of_need
+from screwkit.mechanism.reading import Reading
 from screwkit.mechanism.requirements import nonzero
 from screwkit.mechanism.schema import RotationEntry, VectorEntry
 from screwkit.mechanism.structure import Draft
@@ -246,27 +247,27 @@ def read_places(
     draft: Draft, reading: Reading, pose: Pose | None
 ) -> tuple[dict[str, VectorExpression], dict[str, VectorExpression]]:
     """The named points and vectors, each after those it is made of."""
-    waiting = _declared(draft, reading)
+    declared = _declared(draft, reading)
+    needs = {name: _needs(entry) for name, (_, entry) in declared.items()}
+    order = in_order_of_need(needs)
+    for name in order:
+        group, entry = declared[name]
+        value = _placed((group, name), entry, draft, reading, pose)
+        if value is None:
+            reading.lost |= {name}
+        else:
+            reading.vectors[name] = value
+    circular = declared.keys() - set(order)
     results: dict[Group, dict[str, VectorExpression]] = {"points": {}, "vectors": {}}
-    progress = True
-    while waiting and progress:
-        progress = False
-        for name, (group, entry) in list(waiting.items()):
-            if _needs(entry) & waiting.keys() - {name} or name in _needs(entry):
-                continue
-            progress = True
-            del waiting[name]
-            value = _placed((group, name), entry, draft, reading, pose)
-            if value is None:
-                reading.lost |= {name}
-            else:
-                results[group][name] = reading.vectors[name] = value
-    for name, (group, entry) in waiting.items():
-        through = min(_needs(entry) & waiting.keys())
-        reading.fault_at_key(
-            (group, name), f"{group}: {name!r} depends on itself ({through!r})"
-        )
-        reading.lost |= {name}
+    for name, (group, _) in declared.items():
+        if name in circular:
+            through = min(needs[name] & circular)
+            reading.fault_at_key(
+                (group, name), f"{group}: {name!r} depends on itself ({through!r})"
+            )
+        elif name in reading.vectors:
+            results[group][name] = reading.vectors[name]
+    reading.lost |= circular
     return results["points"], results["vectors"]
 
 
@@ -307,7 +308,7 @@ def _placed(
     value = reading.vector(inner, entry.at)
     if entry.link is not None and entry.link not in draft.entry.links:
         if "links" not in draft.broken:
-            words = unknown_link(entry.link, draft.entry.links)
+            words = reading.unknown_link(entry.link, draft.entry.links)
             reading.fault((*path, "link"), words)
         return None
     if not _has_frame(entry.link, draft):

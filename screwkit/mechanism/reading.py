@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import lru_cache
 from typing import Final
 
 from screwkit.algebra.expression import ZERO, Expression, Number
@@ -24,6 +25,8 @@ from screwkit.mechanism.structure import subject
 
 _SOME: Final = 8
 """How many names a message lists."""
+_MOST_ASKED: Final = 50
+"""How many names are looked for among all others: each takes a while."""
 _NUMBER: Final = re.compile(
     r"(?P<above>-?[0-9]{1,15}(?:\.[0-9]{1,15})?)(?:/(?P<below>[0-9]{1,15}))?"
 )
@@ -48,6 +51,7 @@ class Reading:
     lost: frozenset[str] = frozenset()
     planar: bool = False
     required: list[tuple[Path, Requirement]] = field(default_factory=list)
+    _asked: int = 0
     _met: set[Requirement] = field(default_factory=set)
     _read: dict[tuple[str, frozenset[str]], Expression] = field(default_factory=dict)
 
@@ -116,6 +120,19 @@ class Reading:
             self.required.append((path, requirement))
         return True
 
+    def nearest(self, name: str, known: Iterable[str]) -> str:
+        """The nearest known name in brackets; for the first faults of a file alone."""
+        self._asked += 1
+        return did_you_mean(name, known) if self._asked <= _MOST_ASKED else ""
+
+    def unknown_link(self, name: str, links: Sequence[str]) -> str:
+        """A body that is not listed, with the nearest that is, or with some of them."""
+        near = self.nearest(name, links)
+        if not near and links:
+            more = ", …" if len(links) > _SOME else ""
+            near = f"; the links are {', '.join(links[:_SOME])}{more}"
+        return f"unknown link {shown(name)}{near}"
+
     def vouch(self, expressions: Iterable[Expression]) -> None:
         """Take these expressions as checked: they are built, and a fault is known."""
         self._met.update(r for e in expressions for r in requirements_of(e))
@@ -140,23 +157,16 @@ class Reading:
                 known = False
             elif not text[position + len(name) :].lstrip().startswith("("):
                 known = False
-                near = did_you_mean(name, {*allowed, *self.vectors, *RESERVED})
+                near = self.nearest(name, {*allowed, *self.vectors, *RESERVED})
                 self.fault(path, f"unknown name {shown(name)}{near}", position)
         return known
 
 
+@lru_cache(maxsize=4096)
 def _number(text: str) -> Expression | None:
     """A plain number or fraction, which is most of what large files hold."""
     match = _NUMBER.fullmatch(text)
-    if match is None or not int(match["below"] or 1):
+    if match is None:
         return None
-    return Number(Fraction(match["above"]) / int(match["below"] or 1))
-
-
-def unknown_link(name: str, links: Sequence[str]) -> str:
-    """A body that is not listed, with the nearest that is, or with some of them."""
-    near = did_you_mean(name, links)
-    if not near and links:
-        more = ", …" if len(links) > _SOME else ""
-        near = f"; the links are {', '.join(links[:_SOME])}{more}"
-    return f"unknown link {shown(name)}{near}"
+    above, below = Fraction(match["above"]), int(match["below"] or 1)
+    return Number(above / below if below != 1 else above) if below else None

@@ -17,6 +17,7 @@ from screwkit.algebra.names import is_symbol, shown, why_no_symbol
 from screwkit.mechanism.joints import CATALOGUE, variable_count
 from screwkit.mechanism.model import JointType, Parameter, Space
 from screwkit.mechanism.nodes import Path, find
+from screwkit.mechanism.ordering import in_order_of_need
 from screwkit.mechanism.reading import Reading
 from screwkit.mechanism.requirements import requirements_of
 from screwkit.mechanism.schema import MechanismEntry, ParameterEntry, VariableEntry
@@ -40,10 +41,11 @@ def read_parameters(draft: Draft, reading: Reading) -> Declared:
     """The parameters, then the free variables, with closed values."""
     entries = dict(_parameter_entries(draft.entry, reading))
     raw: dict[str, Expression] = {}
+    names = frozenset(entries)
     for name, (path, entry) in entries.items():
         if entry.value is not None:
             text_path = _value_path(path, reading)
-            value = reading.scalar(text_path, entry.value, [*entries])
+            value = reading.scalar(text_path, entry.value, names)
             if value is not None:
                 raw[name] = value
     values = _closed(raw, entries, reading)
@@ -118,19 +120,14 @@ def closed_values_of(
     """
     closed: dict[str, Expression] = {}
     divided: set[str] = set()
-    waiting = dict(written)
-    progress = True
-    while waiting and progress:
-        progress = False
-        for name, value in list(waiting.items()):
-            used = symbols_of(value)
-            if used <= closed.keys():
-                progress = True
-                del waiting[name]
-                try:
-                    closed[name] = substitute(value, {u: closed[u] for u in used})
-                except ZeroDivisionError:
-                    divided.add(name)
+    needs = {name: symbols_of(value) for name, value in written.items()}
+    for name in in_order_of_need(needs):
+        if needs[name] <= closed.keys():
+            values = {used: closed[used] for used in needs[name]}
+            try:
+                closed[name] = substitute(written[name], values)
+            except ZeroDivisionError:
+                divided.add(name)
     return closed, frozenset(divided)
 
 

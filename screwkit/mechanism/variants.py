@@ -13,7 +13,7 @@ from typing import Final
 
 from screwkit.algebra.expression import Expression
 from screwkit.algebra.expression_building import symbols_of
-from screwkit.algebra.names import did_you_mean, shown
+from screwkit.algebra.names import shown
 from screwkit.mechanism.claim_entries import read_claims
 from screwkit.mechanism.model import Mechanism, Parameter, Variant
 from screwkit.mechanism.nodes import Path
@@ -51,7 +51,7 @@ def _values(
     name: str, entry: VariantEntry, declared: Declared, reading: Reading
 ) -> dict[str, Expression]:
     own: dict[str, Expression] = {}
-    known = [parameter.name for parameter in declared.parameters]
+    known = {parameter.name for parameter in declared.parameters}
     for symbol, text in entry.values.items():
         path: Path = ("variants", name, "values", symbol)
         if symbol not in known:
@@ -70,13 +70,13 @@ def _values(
     return _changed(own, name, declared, reading)
 
 
-def _stranger(symbol: str, known: list[str], reading: Reading) -> str:
+def _stranger(symbol: str, known: set[str], reading: Reading) -> str:
     if symbol in reading.names:
         return (
             f"variants: {symbol!r} is a joint variable; a variant changes parameters "
             f"and variables of the file"
         )
-    return f"variants: unknown symbol {shown(symbol)}{did_you_mean(symbol, known)}"
+    return f"variants: unknown symbol {shown(symbol)}{reading.nearest(symbol, known)}"
 
 
 def _changed(

@@ -144,6 +144,8 @@ def _explained(error: yaml.MarkedYAMLError) -> str:
     problem = error.problem or "cannot be read"
     if "'\\t'" in problem:
         return "a tab stands where spaces are needed"
+    if problem == "mapping values are not allowed here":
+        problem += "; a text with a colon and a space in it needs quotes"
     context = f" ({error.context})" if error.context else ""
     return f"not readable as YAML: {problem}{context}"
 
