@@ -17,7 +17,7 @@ from screwkit.mechanism.nodes import Faults
 from screwkit.mechanism.structure import draft_of
 from screwkit.mechanism.yaml_nodes import yaml_tree
 
-LARGEST_FILE: Final = 1_000_000
+LARGEST_FILE: Final = 4_000_000
 """Bytes."""
 
 

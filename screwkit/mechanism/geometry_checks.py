@@ -6,7 +6,7 @@ those that the file gives them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Final
 
 from screwkit.algebra.expression_building import symbols_of
@@ -21,6 +21,7 @@ from screwkit.mechanism.joints import (
 )
 from screwkit.mechanism.model import Joint, JointType
 from screwkit.mechanism.nodes import Path, find
+from screwkit.mechanism.ordering import in_order_of_need
 from screwkit.mechanism.reading import Reading
 from screwkit.mechanism.requirements import Requirement, nonzero
 from screwkit.mechanism.structure import Draft
@@ -171,6 +172,9 @@ def check_antecedents(
     placing = [joint for joint in joints if _places(joint)]
     placed = _placed_bodies(placing, entry.base) | draft.lost("child")
     parent_of = {joint.child: joint.parent for joint in reversed(placing)}
+    circling = parent_of.keys() - set(
+        in_order_of_need({child: {parent} for child, parent in parent_of.items()})
+    )
     for joint, position in zip(joints, positions, strict=True):
         if joint.mdh is None or joint.parent in placed:
             continue
@@ -183,7 +187,7 @@ def check_antecedents(
                 f"the row hangs on {shown(joint.parent)}, a body that no joint "
                 f"places: the antecedent is the joint whose child is the parent",
             )
-        elif _turns_in_circles(joint, parent_of):
+        elif joint.parent in circling:
             reading.fault(
                 path,
                 f"the antecedents of this row run in a circle and never reach the "
@@ -208,15 +212,3 @@ def _placed_bodies(placing: Iterable[Joint], base: str) -> set[str]:
                 placed.add(child)
                 waiting.append(child)
     return placed
-
-
-def _turns_in_circles(joint: Joint, parent_of: Mapping[str, str]) -> bool:
-    """Whether following the antecedents comes back to a body seen before."""
-    seen = {joint.child}
-    here = joint.parent
-    while here not in seen:
-        seen.add(here)
-        if here not in parent_of:
-            return False
-        here = parent_of[here]
-    return True

@@ -140,7 +140,7 @@ def test_a_variable_of_another_joint() -> None:
         (b"? [a, b]\n: 1\n", "bad:1:3  a key is text"),
         (b"[" * 5_000, "nested deeper than 50 levels"),
         (b"{a: " * 60 + b"1" + b"}" * 60, "nested deeper than 50 levels"),
-        (b"x" * (LARGEST_FILE + 1), "larger than 1000000 bytes"),
+        (b"x" * (LARGEST_FILE + 1), "larger than 4000000 bytes"),
         (b"a: &a [x]\nb: &b [*a, *a]\nc: [*b, *b]\n", "aliases are not allowed"),
         (b"<<: {screwkit: 1}\n", "unknown key '<<'"),
         (b"!!python/object/apply:os.system ['true']\n", "tags are not allowed"),
