@@ -22,6 +22,7 @@ from screwkit.kinematics.exact_postures import (
     at_zero,
     exact_posture,
 )
+from screwkit.kinematics.loop_basis import short_loops
 from screwkit.kinematics.placement import why_tied
 from screwkit.kinematics.subspaces import dimension
 from screwkit.kinematics.values import declared_values, with_values
@@ -30,7 +31,6 @@ from screwkit.mechanism.graph import (
     Part,
     Step,
     components,
-    fundamental_loops,
     limbs,
     other_parts,
     spanning_tree,
@@ -86,8 +86,8 @@ class Network:
 
     @cached_property
     def loops(self) -> tuple[tuple[Step, ...], ...]:
-        """A basis of the loops: one for every joint outside a spanning tree."""
-        return fundamental_loops(self.mechanism)
+        """A basis of short loops, in the order of a sweep from the base."""
+        return short_loops(self.mechanism)
 
     @cached_property
     def limbs(self) -> tuple[Limb, ...]:
