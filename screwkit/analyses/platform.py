@@ -3,10 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import isfinite
 
-from screwkit.kinematics.network import Motion
+from screwkit.algebra.modular import ResampleError
+from screwkit.algebra.reconstruction import Reconstruction
+from screwkit.kinematics.network import Motion, Network
 from screwkit.kinematics.subspaces import dimension, reciprocal
-from screwkit.results.mobility import FullCycle, Platform
+from screwkit.kinematics.system_class import classify
+from screwkit.results.mobility import (
+    FullCycle,
+    MotionClass,
+    Platform,
+    PrincipalScrew,
+)
 
 OUT_OF_PLANE = ((1, 0, 0, 0, 0, 0), (0, 1, 0, 0, 0, 0), (0, 0, 0, 0, 0, 1))
 """The twists that a planar file does not speak of."""
@@ -28,6 +37,35 @@ def platform(at: Motion) -> Platform:
         wrench_dimension=len(wrenches),
         couples=len(wrenches) - forces,
         finite_motion_types=(),
+        motion_class=motion_class(at.network),
+    )
+
+
+def motion_class(network: Network) -> MotionClass | None:
+    """The class of the platform's twist system; None where both postures disagree."""
+    one, other = network.motions
+    systems = [(m.platform_twists, m.posture.prime) for m in (one, other)]
+    known = Reconstruction(
+        one.posture.field,
+        (one.posture.prime, other.posture.prime),
+        (one.posture.constants, other.posture.constants),
+    )
+    try:
+        found = classify(systems, known)
+    except ResampleError:
+        return None
+    return MotionClass(
+        found.name,
+        found.words,
+        found.subgroup,
+        tuple(
+            PrincipalScrew(
+                screw.direction,
+                screw.point or (),
+                screw.pitch if isfinite(screw.pitch) else None,
+            )
+            for screw in found.principal
+        ),
     )
 
 
