@@ -20,7 +20,7 @@ from screwkit.algebra.expression_building import (
 )
 from screwkit.algebra.names import shown
 from screwkit.algebra.text import expression_text
-from screwkit.mechanism.vanishing import is_negative, is_zero, value_at
+from screwkit.mechanism.vanishing import is_negative, is_zero, is_zero_at, value_at
 
 
 @dataclass(frozen=True)
@@ -52,13 +52,12 @@ class Requirement:
     def fails_at(self, values: Mapping[str, Expression]) -> bool:
         """Whether it fails at these values."""
         try:
-            closed = [value_at(entry, values) for entry in self.entries]
+            if self.negative:
+                closed = value_at(self.entries[0], values)
+                return closed is not None and is_negative(closed)
+            return all(is_zero_at(entry, values) for entry in self.entries)
         except ZeroDivisionError:
             return False  # a requirement of its own
-        known = tuple(value for value in closed if value is not None)
-        if len(known) < len(closed):
-            return False
-        return Requirement(known, self.words, negative=self.negative).fails
 
     def message(self, where: str = "") -> str:
         """The fault in words; ``where`` says at which values."""

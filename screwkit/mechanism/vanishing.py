@@ -65,6 +65,22 @@ def is_zero(expression: Expression) -> bool | None:
     return _by_normal_form(expression) if point.drawn else True
 
 
+def is_zero_at(expression: Expression, values: Mapping[str, Expression]) -> bool | None:
+    """Whether ``expression`` is zero at these values of its symbols.
+
+    Returns:
+        None where neither answer is proved, or where a symbol has no value.
+
+    Raises:
+        ZeroDivisionError: If a denominator becomes the number zero.
+    """
+    try:
+        return not evaluate(expression, _RationalPoint(values))
+    except (ExpressionError, _OutsideError):
+        closed = value_at(expression, values)
+    return None if closed is None else is_zero(closed)
+
+
 def value_at(
     expression: Expression, values: Mapping[str, Expression]
 ) -> Expression | None:
@@ -106,21 +122,33 @@ class _OutsideError(Exception):
 
 
 class _RationalPoint:
-    """A ring of plain rationals: every symbol and every angle has a random one."""
+    """A ring of plain rationals: those given, or random ones for symbols and angles.
+
+    Attributes:
+        drawn: Whether any was.
+    """
 
     zero, one = Fraction(0), Fraction(1)
 
-    def __init__(self) -> None:
+    def __init__(self, values: Mapping[str, Expression] | None = None) -> None:
         self.drawn = False
+        self._values = values
 
     def rational(self, value: Fraction) -> Fraction:
         return value
 
     def symbol(self, name: str) -> Fraction:
+        if self._values is not None:
+            value = self._values.get(name)
+            if not isinstance(value, Number):
+                raise _OutsideError
+            return value.value
         self.drawn = True
         return _drawn(name)
 
     def cosine_sine(self, angle: str) -> tuple[Fraction, Fraction]:
+        if self._values is not None:
+            return self.radians(self.symbol(angle))
         self.drawn = True
         half = _drawn(f"tan({angle}/2)")
         square = half * half
@@ -140,7 +168,7 @@ class _RationalPoint:
 
     def square_root(self, radicand: Expression, value: Fraction) -> Fraction:
         root = rational_root(value)
-        if root is None or symbols_of(radicand):
+        if root is None or (self.drawn and symbols_of(radicand)):
             raise _OutsideError
         return root
 
