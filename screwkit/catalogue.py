@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 from screwkit import errors
 from screwkit.errors import MechanismFileError
 from screwkit.terminal import emit, emit_json, faulty, note, text_of
+
+_TWO_LINES: Final = 80
+"""Characters of a title in the list of cases."""
 
 
 def check_case(
@@ -98,7 +101,7 @@ def list_cases(*, as_json: bool) -> int:
     listed = tuple(
         CaseEntry(
             name=entry["name"],
-            title=" – ".join(filter(None, (entry["title"], entry["known_for"]))),
+            title=_headline(entry["title"], entry["known_for"]),
             source=entry["source"],
             joints=entry["joints"],
             loops=entry["loops"],
@@ -107,6 +110,12 @@ def list_cases(*, as_json: bool) -> int:
     )
     emit(text_of(CaseList(listed)))
     return errors.EXIT_DONE
+
+
+def _headline(title: str, known_for: str) -> str:
+    """The title, with what the mechanism is known for where two lines hold both."""
+    both = " – ".join(filter(None, (title, known_for)))
+    return both if len(both) <= _TWO_LINES else title
 
 
 def print_schema(which: str) -> int:

@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 from reports import samples
 
-from screwkit import cli, guard, terminal
+from screwkit import catalogue, cli, guard, terminal
 from screwkit.errors import Fault
 from screwkit.results.screws import Screws
 
@@ -233,6 +233,8 @@ def test_cases_say_what_they_are_known_for(capsys: pytest.CaptureFixture[str]) -
     listed = json.loads(capsys.readouterr().out)["cases"]
     keys = {"name", "title", "source", "joints", "loops", "known_for", "variants"}
     assert all(entry.keys() == keys for entry in listed)
+    assert catalogue._headline("Four-bar", "being simple") == "Four-bar – being simple"
+    assert catalogue._headline("Four-bar", "a long story " * 9) == "Four-bar"
 
 
 @pytest.mark.usefixtures("engine")
