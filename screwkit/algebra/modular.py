@@ -215,3 +215,14 @@ def annihilator(
     entries = [int(value) for row in rows for value in row]
     kernel, nullity = nmod_mat(len(rows), width, entries, prime).nullspace()
     return [[int(kernel[i, j]) for i in range(width)] for j in range(int(nullity))]
+
+
+def echelon(rows: Sequence[Sequence[Residue]], prime: int) -> list[list[int]]:
+    """The reduced row echelon form without zero rows: the same for every basis."""
+    if not rows or not rows[0]:
+        return []
+    entries = [int(value) for row in rows for value in row]
+    matrix = nmod_mat(len(rows), len(rows[0]), entries, prime)
+    reduced, rank = matrix.rref()
+    width = len(rows[0])
+    return [[int(reduced[i, j]) for j in range(width)] for i in range(int(rank))]

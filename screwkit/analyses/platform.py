@@ -41,10 +41,16 @@ def platform(at: Motion) -> Platform:
     )
 
 
-def motion_class(network: Network) -> MotionClass | None:
-    """The class of the platform's twist system; None where both postures disagree."""
+def motion_class(
+    network: Network, body: str = "", relative_to: str = ""
+) -> MotionClass | None:
+    """The class of a body's twist system, the platform's by default.
+
+    None where the two exact postures disagree.
+    """
     one, other = network.motions
-    systems = [(m.platform_twists, m.posture.prime) for m in (one, other)]
+    link = body or network.mechanism.platform
+    systems = [(m.twists_of(link, relative_to), m.posture.prime) for m in (one, other)]
     known = Reconstruction(
         one.posture.field,
         (one.posture.prime, other.posture.prime),

@@ -2,6 +2,14 @@
 
 from __future__ import annotations
 
+from screwkit.reports.about_freedoms import (
+    branch_blocks,
+    class_sentence,
+    freedom_blocks,
+    loose_sentence,
+    redundancy_blocks,
+    unnamed_paragraph,
+)
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -32,8 +40,10 @@ from screwkit.results.mobility import (
 
 def mobility_blocks(answer: Mobility) -> tuple[Block, ...]:
     """The whole answer."""
+    said = [*freedoms(answer)]
+    said += [words(t) for t in (class_sentence(answer), loose_sentence(answer)) if t]
     blocks: list[Block] = [
-        *(Paragraph(text, 1) for text in freedoms(answer)),
+        *(Paragraph(text, 1) for text in said),
         counts_table(answer),
     ]
     if len(answer.platform.cases) > 1:
@@ -41,6 +51,12 @@ def mobility_blocks(answer: Mobility) -> tuple[Block, ...]:
             Heading(words(f"motion of {platform_called(answer.platform_name)}"), 2),
             motion_listing(answer.platform),
         ]
+    blocks += [
+        *redundancy_blocks(answer),
+        *freedom_blocks(answer),
+        *unnamed_paragraph(answer),
+        *branch_blocks(answer.full_cycle),
+    ]
     closing = [full_cycle(answer.full_cycle)]
     if answer.actuation is not None:
         closing.append(locked(answer.actuation, answer.platform_name))

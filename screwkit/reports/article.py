@@ -9,6 +9,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from screwkit.reports.about_freedoms import (
+    branch_blocks,
+    class_sentence,
+    connectivity_blocks,
+    freedom_blocks,
+    redundancy_blocks,
+    unnamed_paragraph,
+)
 from screwkit.reports.about_mobility import (
     freedoms,
     full_cycle,
@@ -196,6 +204,15 @@ def _mobility_section(answer: Mobility | Undecided) -> tuple[Block, ...]:
     )
     if any(case.reason for case in answer.platform.cases):
         blocks.append(_motion_table(answer))
+    if said := class_sentence(answer):
+        blocks.append(Paragraph(prose(_sentence(f"the platform's motion is {said}"))))
+    blocks += [
+        *redundancy_blocks(answer),
+        *freedom_blocks(answer),
+        *unnamed_paragraph(answer),
+        *branch_blocks(answer.full_cycle),
+        *connectivity_blocks(answer.connectivity),
+    ]
     if answer.actuation is not None:
         blocks.append(
             Paragraph(

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from screwkit.results.mobility import MotionClass
+
 
 @dataclass(frozen=True)
 class IdentifiedScrew:
@@ -81,3 +83,32 @@ class Screws:
     limbs: tuple[LimbScrews, ...]
     platform: PlatformScrews
     actuation_wrenches: tuple[ActuationWrench, ...]
+
+
+@dataclass(frozen=True)
+class RelativeMotion:
+    """The twist system of one body relative to another, and what it leaves to wrenches.
+
+    Attributes:
+        body: Whose motion it is.
+        relative_to: The body at rest.
+        order: ``direction-moment`` or ``moment-direction``.
+        frame: The link whose axes are used.
+        point: The point about which moments are taken, ``origin``.
+        twists: A basis.
+        wrenches: A basis of the wrenches that do no work on any of them.
+        motion_class: Whatever the basis.
+    """
+
+    case: str
+    title: str
+    body: str
+    relative_to: str
+    order: str
+    frame: str
+    point: str
+    twist_dimension: int
+    twists: tuple[IdentifiedScrew, ...]
+    wrench_dimension: int
+    wrenches: tuple[IdentifiedScrew, ...]
+    motion_class: MotionClass | None = None

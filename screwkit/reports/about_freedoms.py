@@ -1,0 +1,141 @@
+"""Which constraints are redundant, what is free, and where motion branches."""
+
+from __future__ import annotations
+
+from screwkit.reports.blocks import (
+    Block,
+    Column,
+    Heading,
+    Paragraph,
+    Table,
+    Text,
+    prose,
+    words,
+)
+from screwkit.reports.phrases import counted, listed
+from screwkit.results.mobility import (
+    Connectivity,
+    FullCycle,
+    Mobility,
+    Redundancy,
+)
+
+
+def class_sentence(answer: Mobility) -> str:
+    """The platform's motion in words; empty where there is nothing to add."""
+    found = answer.platform.motion_class
+    if found is None or answer.platform.twist_dimension in (0, 6):
+        return ""
+    return found.description
+
+
+def redundancy_blocks(answer: Mobility, level: int = 2) -> tuple[Block, ...]:
+    """The redundant constraints by name, each with a freedom that would remove it."""
+    if not answer.redundancies:
+        return ()
+    number = len(answer.redundancies)
+    verb = "follows" if number == 1 else "follow"
+    head = f"{counted(number, 'constraint')} that {verb} from the others"
+    rows = tuple(
+        (words(str(i)), prose(redundancy.description), prose(_removed(redundancy)))
+        for i, redundancy in enumerate(answer.redundancies, 1)
+    )
+    columns = (
+        Column((), "right"),
+        Column(words("in balance by themselves"), "wrap", 3.0),
+        Column(words("removed, for instance, by"), "wrap", 2.0),
+    )
+    return Heading(words(head), level), Table(columns, rows)
+
+
+def _removed(redundancy: Redundancy) -> str:
+    if not redundancy.removed_by:
+        return "no single freedom"
+    return redundancy.removed_by[0].description
+
+
+def freedom_blocks(answer: Mobility, level: int = 2) -> tuple[Block, ...]:
+    """What is free: the platform's motions, and the idle ones."""
+    if not answer.remaining_freedoms:
+        return ()
+    rows = tuple(
+        (
+            words(str(i)),
+            prose(freedom.description),
+            words(listed(freedom.joints)),
+        )
+        for i, freedom in enumerate(answer.remaining_freedoms, 1)
+    )
+    columns = (
+        Column((), "right"),
+        Column(words("motion"), "wrap", 3.0),
+        Column(words("joints that move"), "wrap", 2.0),
+    )
+    return Heading(words("what is free"), level), Table(columns, rows)
+
+
+def branch_blocks(answer: FullCycle, level: int = 2) -> tuple[Block, ...]:
+    """The branches of finite motion, where there are several."""
+    if len(answer.branches) < 2:
+        return ()
+    rows: list[tuple[Text, ...]] = []
+    for i, branch in enumerate(answer.branches, 1):
+        rows.append(
+            (
+                words(str(i)),
+                words(counted(branch.mobility, "freedom")),
+                words(branch.motion_type),
+                prose(branch.motion),
+                words(str(branch.redundant_constraints)),
+            )
+        )
+    columns = (
+        Column((), "right"),
+        Column(words("mobility")),
+        Column(words("platform")),
+        Column(words("motion"), "wrap"),
+        Column(words("redundant"), "right"),
+    )
+    head = words("branches of finite motion through this posture")
+    return Heading(head, level), Table(columns, tuple(rows))
+
+
+def connectivity_blocks(
+    answer: Connectivity | None, level: int = 2
+) -> tuple[Block, ...]:
+    """Freedom of every body (row) relative to every other (column), by number."""
+    if answer is None or len(answer.bodies) < 3:
+        return ()
+    numbers = range(1, len(answer.bodies) + 1)
+    columns = (
+        Column((), "right"),
+        Column(words("body")),
+        *(Column(words(str(n)), "right") for n in numbers),
+    )
+    rows = tuple(
+        (
+            words(str(n)),
+            words(body),
+            *(words("·" if i == n - 1 else str(x)) for i, x in enumerate(row)),
+        )
+        for n, body, row in zip(numbers, answer.bodies, answer.table, strict=True)
+    )
+    head = words("freedom of each body relative to each other")
+    return Heading(head, level), Table(columns, rows)
+
+
+def loose_sentence(answer: Mobility) -> str:
+    """Bodies that nothing connects with the base; empty where there are none."""
+    if not answer.loose_bodies:
+        return ""
+    number = len(answer.loose_bodies)
+    names = ", ".join(answer.loose_bodies[:8])
+    more = ", …" if number > 8 else ""
+    verb = "is" if number == 1 else "are"
+    bodies = counted(number, "body", "bodies")
+    return f"{bodies} {verb} not connected with the base: {names}{more}"
+
+
+def unnamed_paragraph(answer: Mobility) -> tuple[Block, ...]:
+    """Why redundancies and freedoms are not listed."""
+    return (Paragraph(prose(answer.unnamed), 1),) if answer.unnamed else ()
