@@ -48,7 +48,7 @@ def loop_words(text: ScrewTexts, joints: Sequence[str], limb: str = "") -> str:
     >>> loop_words(ScrewTexts("free", ("1", "0", "0")), "ABCD")
     'a couple about [1, 0, 0] carried around the loop A B C D'
     """
-    inside = f" inside limb {limb}" if limb else ""
+    inside = f" inside {_limb(limb)}" if limb else ""
     loop = " ".join(joints)
     return f"{wrench_words(text)} carried around the loop {loop}{inside}"
 
@@ -63,7 +63,9 @@ def limbs_words(exerted: Mapping[str, ScrewTexts]) -> str:
     'the couples of limbs a, b and c depend on each other'
     """
     texts = list(exerted.values())
-    names = f"limbs {listed(tuple(exerted))}"
+    names = listed(tuple(exerted))
+    if not all(name.startswith("limb") for name in exerted):
+        names = f"limbs {names}"
     if len(texts) == 2 and texts[0] == texts[1]:
         return f"{names} both carry {wrench_words(texts[0])}"
     what = plural_words([text.kind for text in texts])
@@ -81,7 +83,7 @@ def joints_words(kinds: Sequence[str], joints: Sequence[str], limb: str = "") ->
     >>> joints_words(["free", "line"], ["A", "B", "C"], "left")
     'the wrenches at joints A, B and C inside limb left depend on each other'
     """
-    inside = f" inside limb {limb}" if limb else ""
+    inside = f" inside {_limb(limb)}" if limb else ""
     place = f"at joints {listed(joints)}{inside}"
     return f"the {plural_words(kinds)} {place} depend on each other"
 
@@ -158,6 +160,11 @@ def listed(names: Sequence[str]) -> str:
 def bracketed(texts: Sequence[str]) -> str:
     """Coordinates in brackets."""
     return f"[{', '.join(texts)}]"
+
+
+def _limb(name: str) -> str:
+    """A limb by its name, which need not say that it is one."""
+    return name if name.startswith("limb") else f"limb {name}"
 
 
 def _moves(text: ScrewTexts) -> str:

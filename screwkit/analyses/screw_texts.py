@@ -10,6 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from math import gcd, lcm
 from typing import TypeAlias
 
 from screwkit.algebra.reconstruction import AlgebraicNumber, Reconstruction
@@ -58,9 +60,10 @@ class TextReader:
 
     def scaled(self, pair: Pair) -> Texts:
         """The coordinates up to a common factor that makes them short."""
-        if len(pair[0]) > SCALED:
-            return self.vector(pair)
-        return _texts(self._numbers.direction(*pair))
+        if len(pair[0]) <= SCALED:
+            return _texts(self._numbers.direction(*pair))
+        numbers = self._numbers.numbers(*pair)
+        return _texts(None if numbers is None else _integral(numbers))
 
     def screw(self, pair: Pair, near: Sequence[Pair] = ()) -> ScrewTexts:
         """Kind, direction, a point and the pitch of a screw.
@@ -96,6 +99,14 @@ class TextReader:
 
 def _texts(numbers: Sequence[AlgebraicNumber] | None) -> Texts:
     return () if numbers is None else tuple(number.text for number in numbers)
+
+
+def _integral(numbers: Sequence[AlgebraicNumber]) -> tuple[AlgebraicNumber, ...]:
+    """A multiple whose coefficients are integers without common factor."""
+    coefficients = [c for number in numbers for _, c in number.terms]
+    below = lcm(*(c.denominator for c in coefficients))
+    factor = Fraction(below, gcd(*(int(c * below) for c in coefficients)) or 1)
+    return tuple(number.scaled(factor) for number in numbers)
 
 
 def _pitch(screw: Residues, prime: int) -> int:

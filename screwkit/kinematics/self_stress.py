@@ -22,7 +22,7 @@ from screwkit.kinematics.exact_postures import ExactPosture
 from screwkit.kinematics.network import Motion, Network
 from screwkit.kinematics.readable_screws import Row, readable_basis
 from screwkit.kinematics.residue_spaces import Span, complement, vanishing
-from screwkit.kinematics.short_loops import by_name, short_loops
+from screwkit.kinematics.short_loops import by_name, from_first, short_loops
 from screwkit.kinematics.subspaces import reciprocal
 from screwkit.mechanism.graph import Step
 
@@ -140,7 +140,7 @@ def _pairs_of_limbs(network: Network) -> Iterator[tuple[Step, ...]]:
         key=lambda path: (len(path), by_name(path[0][0])),
     )
     for out, back in combinations(paths, 2):
-        yield (*out, *((joint, -sign) for joint, sign in reversed(back)))
+        yield from_first((*out, *((name, -sign) for name, sign in reversed(back))))
 
 
 def _add_larger(

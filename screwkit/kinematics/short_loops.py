@@ -79,7 +79,21 @@ def short_loops(joints: Sequence[Joint]) -> Iterator[tuple[Step, ...]]:
         members = frozenset(name for name, _ in loop)
         if members not in seen:
             seen.add(members)
-            yield loop
+            yield from_first(loop)
+
+
+def from_first(loop: tuple[Step, ...]) -> tuple[Step, ...]:
+    """The loop from the joint whose name comes first, towards the lesser neighbour.
+
+    >>> from_first((("C", 1), ("A", -1), ("D", 1), ("B", 1)))
+    (('A', 1), ('C', -1), ('B', -1), ('D', -1))
+    """
+    start = min(range(len(loop)), key=lambda i: by_name(loop[i][0]))
+    turned = (*loop[start:], *loop[:start])
+    if len(loop) > 2 and by_name(turned[-1][0]) < by_name(turned[1][0]):
+        backwards = (turned[0], *reversed(turned[1:]))
+        return tuple((joint, -sign) for joint, sign in backwards)
+    return turned
 
 
 def _roots(
