@@ -104,7 +104,8 @@ def _answer(
     if special is not None and special.at.rank == at.rank:
         known = special.full_cycle
     cycle = full_cycle(network, at, known)
-    return _Answer(at, finite_types(about, cycle), actuation(at), cycle)
+    about = finite_types(about, cycle, not network.labels)
+    return _Answer(at, about, actuation(at), cycle)
 
 
 def _in_numbers(answer: _Answer, special: _Answer | None) -> tuple[Network, Motion]:

@@ -75,9 +75,16 @@ def motion_class(
     )
 
 
-def finite_types(about: Platform, cycle: FullCycle) -> Platform:
-    """With the motion types of the finite branches, each once, in a fixed order."""
+def finite_types(about: Platform, cycle: FullCycle, at_rest: bool) -> Platform:
+    """With the motion types of the finite branches, each once, in a fixed order.
+
+    Args:
+        about: The platform at the posture.
+        cycle: The branches.
+        at_rest: Whether the mechanism has no freedoms at all.
+    """
     types = sorted({branch.motion_type for branch in cycle.branches if branch.mobility})
-    if not types and cycle.status == "proved" and any(cycle.mobility):
+    proved = cycle.status == "proved" and any(cycle.mobility)
+    if not types and (proved or at_rest):
         types = [about.motion_type]
     return replace(about, finite_motion_types=tuple(types))

@@ -58,6 +58,9 @@ class MotionBranch:
             ``mobility`` where rank alone never tells the truth.
         motion_type: nTmR of the platform at its points.
         motion: The finite motion of the platform in words; may be empty.
+        starts: How many of the samples fell on it.
+        modes: How many branches look like this one from outside but differ in the
+            joints that move.
     """
 
     mobility: int
@@ -66,6 +69,8 @@ class MotionBranch:
     redundant_constraints: int
     motion_type: str
     motion: str = ""
+    starts: int = 0
+    modes: int = 1
 
 
 @dataclass(frozen=True)
