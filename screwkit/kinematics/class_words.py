@@ -83,7 +83,9 @@ SUBGROUPS: frozenset[tuple[Kind, bool]] = frozenset(
 
 WORDS: Mapping[tuple[Kind, bool], Words] = {
     (Kind.NOTHING, False): Words("no motion", "no wrench", "{rest}"),
-    (Kind.TRANSLATION, False): Words("translation", "couple", "{translation} {line}"),
+    (Kind.TRANSLATION, False): Words(
+        "translation", "couple", "{translation} {direction}"
+    ),
     (Kind.TRANSLATIONS_OF_PLANE, False): Words(
         "planar translation", "couples of a plane", "{translations} {across_normal}"
     ),
@@ -117,7 +119,8 @@ WORDS: Mapping[tuple[Kind, bool], Words] = {
     (Kind.PLANAR, False): Words(
         "planar motion",
         "parallel forces",
-        "{rotations} all lines parallel to {direction}, and {translations} normal to it",
+        "{rotations} all lines parallel to {direction}, "
+        "and {translations} normal to it",
     ),
     (Kind.PLANAR_HELICES, False): Words(
         "planar translation with a helical motion",
@@ -197,7 +200,8 @@ WORDS: Mapping[tuple[Kind, bool], Words] = {
     (Kind.GENERAL, False): Words(
         "general three-system",
         "general three-system",
-        "three independent screws, the axes of the principal ones meeting in {point}",
+        "three independent screws, the axes of the principal ones meeting in {point}"
+        "{real_of_three}",
     ),
     # -- four and more: the elements are those of the reciprocal system -------------
     (Kind.NOTHING, True): Words("spatial motion", "all wrenches", "{everything}"),

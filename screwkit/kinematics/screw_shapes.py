@@ -70,7 +70,8 @@ class Shape:
         reciprocal: Whether kind and elements are those of the reciprocal system.
         vectors: Directions and normals, each up to a factor.
         points: Points, by name.
-        numbers: Pitches; ``pitches`` is the product of the two principal ones.
+        numbers: Pitches; ``pitches`` is the product of the principal ones, ``pairs``
+            the sum of their products in pairs, ``sum`` their sum.
     """
 
     kind: Kind
@@ -200,10 +201,13 @@ def _three_screws(system: ScrewStructure) -> Shape:
     degree = dimension(flat[:2], p)
     if degree == 1:
         return Shape(Kind.HELICAL_BUNDLE, points=points, numbers={"pitch": rows[0][0]})
-    if dimension(flat, p) == 3:
-        return Shape(Kind.GENERAL, points=points)
-    _, total = solve(list(zip(flat[0], flat[1], strict=True)), flat[2], p)
     trace = rows[0][0] + rows[1][1] + rows[2][2]
+    if dimension(flat, p) == 3:
+        pairs = half * (trace * trace - sum(squared[i][i] for i in range(3)))
+        determinant = dot(rows[0], cross(rows[1], rows[2]))
+        numbers = {"sum": trace % p, "pairs": pairs % p, "pitches": determinant % p}
+        return Shape(Kind.GENERAL, points=points, numbers=numbers)
+    _, total = solve(list(zip(flat[0], flat[1], strict=True)), flat[2], p)
     double, single = (trace - total) % p, (2 * total - trace) % p
     rest = [
         [(x - double * u) % p for x, u in zip(r, e, strict=True)]

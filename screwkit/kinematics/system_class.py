@@ -11,45 +11,22 @@ References: [Herve1999], [Hunt1978], ch. 12.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
 from screwkit.algebra.modular import ResampleError
-from screwkit.algebra.reconstruction import AlgebraicNumber, Reconstruction
+from screwkit.algebra.reconstruction import Reconstruction
+from screwkit.kinematics.class_phrases import Element, sentence_of
 from screwkit.kinematics.class_words import SUBGROUPS, TWISTS, WORDS, WRENCHES
 from screwkit.kinematics.exact_principal_screws import known_principal_screws
 from screwkit.kinematics.principal_screws import PrincipalScrew
 from screwkit.kinematics.screw_shapes import Shape, shape_of
-from screwkit.kinematics.screw_structure import Residues, ScrewStructure
+from screwkit.kinematics.screw_structure import ScrewStructure
 from screwkit.kinematics.subspaces import Row
 
 System: TypeAlias = tuple[Sequence[Row], int]
 """Screws modulo a prime."""
-
-
-@dataclass(frozen=True)
-class Element:
-    """A direction, point or pitch that a system singles out.
-
-    Attributes:
-        name: ``direction``, ``normal``, ``second`` (each up to a factor); ``point``,
-            ``foot`` (the point of a plane nearest to the origin); ``pitch``,
-            ``second_pitch``, ``pitches`` (the product of the principal ones).
-        residues: Modulo the first prime and the second.
-        numbers: The same exactly; None where no short numbers have these residues.
-    """
-
-    name: str
-    residues: tuple[Residues, Residues]
-    numbers: tuple[AlgebraicNumber, ...] | None
-
-    @property
-    def texts(self) -> tuple[str, ...] | None:
-        """The numbers in the grammar."""
-        if self.numbers is None:
-            return None
-        return tuple(number.text for number in self.numbers)
 
 
 @dataclass(frozen=True)
@@ -108,7 +85,7 @@ def classify(
         rotations=rotations,
         motion_type=f"{translations}T{rotations}R",
         name=words.motion,
-        words=_sentence(words.motion, words.sentence, elements, TWISTS),
+        words=sentence_of(words.motion, words.sentence, elements, TWISTS),
         subgroup=(shape.kind, shape.reciprocal) in SUBGROUPS,
         within=WORDS[hull.kind, hull.reciprocal].motion,
         elements=elements,
@@ -135,7 +112,7 @@ def classify_wrenches(
         rotations=forces,
         motion_type="",
         name=words.wrenches,
-        words=_sentence(words.wrenches, words.sentence, elements, WRENCHES),
+        words=sentence_of(words.wrenches, words.sentence, elements, WRENCHES),
         subgroup=False,
         within="",
         elements=elements,
@@ -189,95 +166,3 @@ def _shape(
         two = (number,), (second.numbers[name],)
         elements.append(Element(name, two, known.numbers(*two) if known else None))
     return first, tuple(elements)
-
-
-# -- words -----------------------------------------------------------------------
-
-
-def _sentence(
-    name: str,
-    pattern: str,
-    elements: Sequence[Element],
-    vocabulary: Mapping[str, str],
-) -> str:
-    """The name, unless the pattern begins with it, and what is known filled in."""
-    phrases = {**vocabulary, **_phrases(elements), **_realities(elements, vocabulary)}
-    sentence = pattern.format(**phrases)
-    return sentence if sentence.startswith(name) else f"{name}: {sentence}"
-
-
-def _phrases(elements: Sequence[Element]) -> Mapping[str, str]:
-    """Lines, planes and pitches in words, by the names that the patterns use."""
-    known = {e.name: e.texts for e in elements if e.texts is not None}
-
-    def vector(name: str) -> str:
-        return f"[{', '.join(known[name])}]" if name in known else ""
-
-    def line(noun: str, point: str, direction: str) -> str:
-        through = f" through {vector(point)}" if point in known else ""
-        along = f" along {vector(direction)}" if direction in known else ""
-        article = "the" if through and along else _article(noun)
-        return f"{article} {noun}{through}{along}"
-
-    def along(name: str) -> str:
-        return f"the direction {vector(name)}" if name in known else "one direction"
-
-    def across(name: str) -> str:
-        return f"normal to {vector(name) or 'one direction'}"
-
-    def advance(name: str) -> str:
-        return f"of pitch {known[name][0]}" if name in known else "of one pitch"
-
-    plane = f"plane through {vector('foot')} {across('normal')}"
-    return {
-        "axis": line("axis", "point", "direction"),
-        "central": line("line", "point", "normal"),
-        "direction": along("direction"),
-        "line": along("direction"),
-        "normal": along("normal"),
-        "second": along("second"),
-        "across_normal": across("normal"),
-        "across_second": across("second"),
-        "point": f"the point {vector('point')}" if "point" in known else "one point",
-        "flat": f"the plane {across('normal')}" if "normal" in known else "one plane",
-        "plane": f"the {plane}" if {"foot", "normal"} <= known.keys() else "one plane",
-        "pitch": advance("pitch"),
-        "second_pitch": advance("second_pitch"),
-    }
-
-
-def _realities(
-    elements: Sequence[Element], vocabulary: Mapping[str, str]
-) -> Mapping[str, str]:
-    """How many screws of pitch 0 a cylindroid has, where the sign is known."""
-    product = next((e for e in elements if e.name == "pitches"), None)
-    names = "real", "real_directions", "held_real"
-    if product is None:
-        return dict.fromkeys(names, "")
-    one, many = vocabulary["one"], vocabulary["many"]
-    held_one, held_many = vocabulary["held_one"], vocabulary["held_many"]
-    if not any(map(any, product.residues)):
-        phrases = (
-            f"; {one} is among them",
-            f"; {many} of one direction are among them",
-            f"; the reciprocal system holds {held_one}",
-        )
-    elif product.numbers is None:
-        phrases = ("", "", "")
-    elif product.numbers[0].sign > 0:
-        phrases = (
-            f"; no {many} are among them",
-            f"; no {many} are among them",
-            f"; the reciprocal system holds no {held_many}",
-        )
-    else:
-        phrases = (
-            f"; two {many} on skew axes are among them",
-            f"; {many} of two directions are among them",
-            f"; the reciprocal system holds two {held_many} on skew axes",
-        )
-    return dict(zip(names, phrases, strict=True))
-
-
-def _article(noun: str) -> str:
-    return "an" if noun[0] in "aeiou" else "a"

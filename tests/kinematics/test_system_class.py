@@ -6,6 +6,7 @@ import random
 import re
 from fractions import Fraction
 from itertools import combinations
+from math import inf
 
 import numpy as np
 import pytest
@@ -36,6 +37,7 @@ from kinematics.screw_systems import (
 from screwkit.algebra.modular import ResampleError
 from screwkit.kinematics.class_words import SUBGROUPS as SUBGROUP_KINDS
 from screwkit.kinematics.class_words import WORDS
+from screwkit.kinematics.principal_screws import principal_screws
 from screwkit.kinematics.screw_shapes import shape_of
 from screwkit.kinematics.screw_structure import ScrewStructure, bracket
 from screwkit.kinematics.system_class import classify, classify_wrenches
@@ -215,6 +217,39 @@ def test_lines_and_planes_are_named() -> None:
 )
 def test_how_many_rotations_a_cylindroid_has(second: Row, said: str) -> None:
     assert said in classify(both([screw(X), second]), KNOWN).words
+
+
+@pytest.mark.parametrize(
+    ("pitches", "said"),
+    [
+        ((1, 2, 3), "no rotations are among them"),
+        ((-1, -2, -3), "no rotations are among them"),
+        ((-1, 2, 3), "rotations on the lines of a regulus are among them"),
+        ((0, 2, 3), "a rotation is among them"),
+        ((0, -2, -3), "a rotation is among them"),
+        ((0, -2, 3), "two flat pencils of rotations are among them"),
+    ],
+)
+def test_which_rotations_a_three_system_has(
+    pitches: tuple[int, ...], said: str
+) -> None:
+    rows = [screw(a, (1, 2, 3), h) for a, h in zip((X, Y, Z), pitches, strict=True)]
+    assert classify(both(rows), KNOWN).words.endswith(f"; {said}")
+
+
+@few
+@given(st.lists(st.tuples(*[st.integers(-3, 3)] * 6), min_size=2, max_size=3))
+def test_signs_of_pitches_by_eigenvalues(rows: list[tuple[int, ...]]) -> None:
+    """What is said about rotations holds for principal pitches in floating point."""
+    exact = [tuple(map(Fraction, row)) for row in rows]
+    words = classify(both(exact), KNOWN).words
+    found = [s.pitch for s in principal_screws(floats(exact))]
+    if "no rotations" in words:
+        assert min(found) > 1e-6 or max(h for h in found if h < inf) < -1e-6
+    if "skew axes" in words or "regulus" in words or "two flat" in words:
+        assert min(found) < -1e-9 < 1e-9 < max(found)
+    if "; a rotation is" in words:
+        assert sum(abs(h) < 1e-6 for h in found) == 1
 
 
 def test_a_cylindroid_without_rotations() -> None:
