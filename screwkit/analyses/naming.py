@@ -11,7 +11,7 @@ References: [Davies1981], [Hunt1978].
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from screwkit.analyses.naming_words import (
     added_words,
@@ -28,12 +28,13 @@ from screwkit.kinematics.carriers import Carrier, carriers, limb_wrenches
 from screwkit.kinematics.joint_points import Point, joint_points
 from screwkit.kinematics.named_freedoms import NamedFreedom, named_freedoms
 from screwkit.kinematics.network import Motion, Network
-from screwkit.kinematics.readable_screws import kind_of, passes
+from screwkit.kinematics.readable_screws import Row, kind_of, passes
 from screwkit.kinematics.self_stress import (
     SelfStress,
     redundant_count,
     self_stresses,
 )
+from screwkit.kinematics.short_loops import by_name
 from screwkit.results.mobility import (
     AddedFreedom,
     CarriedWrench,
@@ -114,6 +115,12 @@ def named(network: Network, motion: Motion) -> Named:
     )
     if other is not None and other.shape != found.shape:
         other = None
+    named_here = len(found.stresses)
+    if named_here < redundant <= MOST_REDUNDANCIES:
+        reasons.append(
+            f"{redundant - named_here} of {redundant} redundant constraints run "
+            f"through many loops at once and are not named"
+        )
     words = _Words(found, other)
     return Named(
         tuple(map(words.redundancy, range(len(found.stresses)))),
@@ -230,7 +237,8 @@ class _Words:
         joints = tuple(dict.fromkeys(joint_of[label] for label in one.rates))
         text = self._screw((one.twist, other.twist), joints) if one.twist else None
         if one.idle or text is None:
-            words = idle_words(text, joints, one.bodies, self._spanning(one, joints))
+            through = self._met(one.twist, joints) if one.twist else []
+            words = idle_words(text, joints, one.bodies, through)
         else:
             words = platform_words(text, joints, self._movable)
         return RemainingFreedom(
@@ -244,16 +252,23 @@ class _Words:
             words,
         )
 
-    def _spanning(self, freedom: NamedFreedom, joints: Sequence[str]) -> list[str]:
-        """The joints with different points on the axis of a freedom."""
-        prime, found = self._one.prime, dict[Point, str]()
-        for joint in joints:
+    def _met(self, screw: Row, joints: Sequence[str] = ()) -> list[str]:
+        """Joints with different points on the axis of a screw; of all by default."""
+        found: dict[Point, str] = {}
+        for joint in joints or sorted(self._one.points, key=by_name):
             point = self._one.points.get(joint)
-            if point and freedom.twist and passes(freedom.twist, point, prime):
+            if point and passes(screw, point, self._one.prime):
                 found.setdefault(point, joint)
         return list(found.values())
 
     def _screw(self, pair: Pair, joints: Sequence[str]) -> ScrewTexts:
+        """The texts, and where they do not suffice joints that the axis meets."""
+        text = self._read(pair, joints)
+        if text.kind == "free" or (text.direction and text.point):
+            return text
+        return replace(text, through=tuple(self._met(tuple(pair[0]))[:2]))
+
+    def _read(self, pair: Pair, joints: Sequence[str]) -> ScrewTexts:
         if self._reader is None:
             kind = kind_of(pair[0], self._one.prime)
             return ScrewTexts(kind, pitch="0" if kind == "line" else "")

@@ -19,13 +19,18 @@ def wrench_words(text: ScrewTexts) -> str:
     'a force along [0, 0, 1] through [1, 2, 0]'
     >>> wrench_words(ScrewTexts("free"))
     'a couple'
+    >>> wrench_words(ScrewTexts("line", pitch="0", through=("S1", "S2")))
+    'a force along the line through S1 and S2'
     """
     words = f"a {_WRENCHES[text.kind]}"
     if text.direction:
         relation = "about" if text.kind == "free" else "along"
         words += f" {relation} {bracketed(text.direction)}"
-    if text.point:
-        words += f" through {bracketed(text.point)}"
+        words += _through(text)
+    elif len(text.through) > 1:
+        words += f" along the line through {listed(text.through)}"
+    else:
+        words += _through(text)
     if text.kind == "screw" and text.pitch:
         words += f" of pitch {text.pitch}"
     return words
@@ -171,13 +176,22 @@ def _moves(text: ScrewTexts) -> str:
     along = f" along {bracketed(text.direction)}" if text.direction else ""
     if text.kind == "free":
         return f"translates{along}"
-    line = f" about the line through {bracketed(text.point)}" if text.point else ""
-    if not line:
-        line = " about a line" if along else ""
-    if text.kind == "line":
-        return f"rotates{line}{along}"
-    pitch = f" with pitch {text.pitch}" if text.pitch else ""
-    return f"screws{line}{along}{pitch}"
+    does = "rotates" if text.kind == "line" else "screws"
+    pitch = f" with pitch {text.pitch}" if text.kind == "screw" and text.pitch else ""
+    if not text.direction and len(text.through) > 1:
+        return f"{does} about the line through {listed(text.through)}{pitch}"
+    through = _through(text)
+    if not through + along:
+        return f"{does}{pitch}"
+    article = "the" if through and along else "a"
+    return f"{does} about {article} line{through}{along}{pitch}"
+
+
+def _through(text: ScrewTexts) -> str:
+    """A point of the axis: its coordinates, or else a joint that is there."""
+    if text.point:
+        return f" through {bracketed(text.point)}"
+    return f" through joint {text.through[0]}" if text.through else ""
 
 
 def _moving_joints(joints: Sequence[str], of: int) -> str:

@@ -37,12 +37,14 @@ class ScrewTexts:
         direction: Of the axis, or of the free vector.
         point: A point of the axis.
         pitch: ``0`` for lines, empty for free vectors.
+        through: Joints that the axis meets, at most two, where texts are missing.
     """
 
     kind: str
     direction: Texts = ()
     point: Texts = ()
     pitch: str = ""
+    through: tuple[str, ...] = ()
 
 
 class TextReader:

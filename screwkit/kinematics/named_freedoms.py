@@ -19,6 +19,7 @@ from screwkit.kinematics.readable_screws import Row, readable_basis
 from screwkit.kinematics.residue_spaces import (
     Span,
     complement,
+    least_outside,
     reduced_echelon,
     vanishing,
 )
@@ -27,6 +28,8 @@ from screwkit.kinematics.short_loops import by_name
 Entry: TypeAlias = str | int
 """A freedom by its label, or a coordinate of the twist of one body."""
 Rates: TypeAlias = dict[str, int]
+_SEARCH = 1500
+"""Idle freedoms that hang together, times joints, up to which few joints are sought."""
 _WHOLE = -1  # an entry that marks a rate as one to which others are added
 
 
@@ -132,6 +135,8 @@ def _least_idle(motion: Motion, block: Sequence[Rates]) -> list[Rates]:
     """A basis of a part of the idle rates, few moving bodies first."""
     network, prime = motion.network, motion.posture.prime
     joints = sorted({network.joint_of[x] for r in block for x in r}, key=by_name)
+    if len(block) * len(joints) > _SEARCH:
+        return list(block)
     span: Span[str] = Span(prime)
     basis: list[Rates] = []
     for allowed in _neighbourhoods(motion, joints):
@@ -143,11 +148,8 @@ def _least_idle(motion: Motion, block: Sequence[Rates]) -> list[Rates]:
         ]
         space = vanishing(block, outside, prime)
         while any(span.rest(rates) for rates in space):
-            least = space
-            for joint in reversed(joints):
-                without = vanishing(least, network.labels_of[joint], prime)
-                if any(span.rest(rates) for rates in without):
-                    least = without
+            spared = [network.labels_of[joint] for joint in reversed(joints)]
+            least = least_outside(space, spared, span)
             labels = {label for rates in least for label in rates}
             known = [rates for rates in basis if set(rates) <= labels]
             added = _readable(motion, complement(least, known, prime, by_name))

@@ -9,17 +9,25 @@ prime.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, Generic, TypeAlias, TypeVar
 
 K = TypeVar("K")
 Named: TypeAlias = Mapping[K, int]
 
 
+@dataclass(frozen=True)
+class _Mark:
+    """The name of an entry that is no coordinate."""
+
+    number: int
+
+
 class Span(Generic[K]):
     """A space that grows by the vectors that are independent of it."""
 
     def __init__(self, prime: int, vectors: Iterable[Named[K]] = ()) -> None:
-        self._prime = prime
+        self.prime = prime
         self._pivots: dict[K, dict[K, int]] = {}
         for vector in vectors:
             self.add(vector)
@@ -28,12 +36,17 @@ class Span(Generic[K]):
         """Its dimension."""
         return len(self._pivots)
 
+    @property
+    def pivots(self) -> Collection[K]:
+        """Entries that tell its vectors apart."""
+        return self._pivots.keys()
+
     def rest(self, vector: Named[K]) -> dict[K, int]:
         """The vector less what lies in the space; empty if all of it does."""
         left = dict(vector)
         for pivot, row in self._pivots.items():
             if pivot in left:
-                _subtract(left, left[pivot], row, self._prime)
+                _subtract(left, left[pivot], row, self.prime)
         return left
 
     def add(self, vector: Named[K]) -> bool:
@@ -41,7 +54,7 @@ class Span(Generic[K]):
         left = self.rest(vector)
         if left:
             pivot = next(iter(left))
-            self._pivots[pivot] = _scaled(left, pivot, self._prime)
+            self._pivots[pivot] = _scaled(left, pivot, self.prime)
         return bool(left)
 
 
@@ -88,6 +101,37 @@ def vanishing(
             if key in vector:
                 _subtract(vector, vector[key], scaled, prime)
     return left
+
+
+def least_outside(
+    space: Sequence[Named[K]], groups: Iterable[Collection[K]], known: Span[K]
+) -> list[dict[K, int]]:
+    """A part of a space that is not known and has entries in as few groups as can be.
+
+    Groups are given up one after the other as long as something unknown is left, so
+    that none of the groups kept can be spared.
+
+    Args:
+        space: A basis; not all of it known.
+        groups: Entries that vanish together, those to give up first in front.
+        known: What is known; its prime is that of the space.
+    """
+    rests = [known.rest(vector) for vector in space]
+    pivots = list(Span(known.prime, rests).pivots)
+    # Marks go along with every combination and vanish where it is known.
+    left: list[dict[Any, int]] = [
+        {**vector, **{_Mark(i): rest[p] for i, p in enumerate(pivots) if p in rest}}
+        for vector, rest in zip(space, rests, strict=True)
+    ]
+    marks = [_Mark(i) for i in range(len(pivots))]
+    for group in groups:
+        without = vanishing(left, group, known.prime)
+        if any(mark in vector for vector in without for mark in marks):
+            left = without
+    return [
+        {key: value for key, value in vector.items() if not isinstance(key, _Mark)}
+        for vector in left
+    ]
 
 
 def complement(

@@ -21,7 +21,12 @@ from screwkit.algebra.modular import annihilator
 from screwkit.kinematics.exact_postures import ExactPosture
 from screwkit.kinematics.network import Motion, Network
 from screwkit.kinematics.readable_screws import Row, readable_basis
-from screwkit.kinematics.residue_spaces import Span, complement, vanishing
+from screwkit.kinematics.residue_spaces import (
+    Span,
+    complement,
+    least_outside,
+    vanishing,
+)
 from screwkit.kinematics.short_loops import by_name, from_first, short_loops
 from screwkit.kinematics.subspaces import reciprocal
 from screwkit.mechanism.graph import Step
@@ -32,6 +37,8 @@ Stress: TypeAlias = dict[Entry, int]
 
 _LIMBS = 6
 """Limbs up to which every set of them is tried."""
+_SEARCH = 2000
+"""Missing states times joints up to which supports of several loops are looked for."""
 
 
 @dataclass(frozen=True)
@@ -60,6 +67,8 @@ def self_stresses(
 ) -> tuple[SelfStress, ...]:
     """A basis of all states of self-stress, small supports first.
 
+    Where very many states run through several loops at once, those are left out.
+
     Args:
         motion: With nothing locked.
         points: A point of each joint, modulo the posture's prime, where it has one:
@@ -70,7 +79,7 @@ def self_stresses(
     if not count:
         return ()
     _add_loops(motion, points, count, found)
-    if len(found.span) < count:
+    if 0 < (count - len(found.span)) * len(motion.network.mechanism.joints) <= _SEARCH:
         _add_larger(motion, points, count, found)
     return tuple(found.stresses)
 
@@ -152,9 +161,10 @@ def _add_larger(
     joints = sorted({joint for v in everything for joint, _ in v}, key=by_name)
     for allowed in _sets_of_limbs(motion.network, joints):
         left = [joint for joint in joints if joint not in allowed]
+        spared = [_entries([joint]) for joint in reversed(joints) if joint in allowed]
         space = vanishing(everything, _entries(left), prime)
         while any(found.span.rest(vector) for vector in space):
-            least = _least(space, joints, found)
+            least = least_outside(space, spared, found.span)
             support = {joint for v in least for joint, _ in v}
             known = [v for v in found.vectors if {j for j, _ in v} <= support]
             moved = _moments_about(least, _first_point(support, points), prime)
@@ -164,15 +174,6 @@ def _add_larger(
                 found.add(_moments_about([vector], back, prime)[0])
         if len(found.span) == count:
             return
-
-
-def _least(space: list[Stress], joints: Sequence[str], found: _Found) -> list[Stress]:
-    """The part with as few joints as possible that is still not known."""
-    for joint in reversed(joints):
-        without = vanishing(space, _entries([joint]), found.prime)
-        if any(found.span.rest(vector) for vector in without):
-            space = without
-    return space
 
 
 def _sets_of_limbs(network: Network, joints: Sequence[str]) -> Iterator[set[str]]:
