@@ -55,13 +55,19 @@ def limb_systems(at: Motion) -> tuple[LimbSystem, ...]:
     return tuple(found)
 
 
-def counts(at: Motion) -> tuple[Counts, tuple[Working, ...]]:
-    """All counts, with the working of each."""
+def counts(at: Motion, rank: int) -> tuple[Counts, tuple[Working, ...]]:
+    """All counts, with the working of each.
+
+    Args:
+        at: A generic posture, or that of the file.
+        rank: Generic rank of the closure equations; where loops tie joint variables
+            together that on the motion through the posture.
+    """
     network = at.network
     equations = len(network.rows)
     freedoms, loops = len(network.labels), len(network.loops)
     grubler = freedoms - equations * loops
-    redundant = equations * loops - at.rank
+    redundant = equations * loops - rank
     remark = ""
     if redundant:
         verb = "follows" if redundant == 1 else "follow"
@@ -92,8 +98,8 @@ def counts(at: Motion) -> tuple[Counts, tuple[Working, ...]]:
     workings.append(
         Working(
             "Moroskine",
-            f"{freedoms} - rank Jc = {freedoms} - {at.rank}",
-            at.mobility,
+            f"{freedoms} - rank Jc = {freedoms} - {rank}",
+            freedoms - rank,
             "",
             "LongCaroKhalil2012 (16)-(18)",
         )
@@ -107,7 +113,7 @@ def counts(at: Motion) -> tuple[Counts, tuple[Working, ...]]:
     if systems or not network.loops:
         screw, working = _screw(at, systems)
         workings.append(working)
-    return Counts(grubler, planar, at.mobility, gogu, screw), tuple(workings)
+    return Counts(grubler, planar, freedoms - rank, gogu, screw), tuple(workings)
 
 
 def _gogu(at: Motion, systems: Sequence[LimbSystem]) -> tuple[int, Working] | None:
@@ -142,17 +148,19 @@ def _gogu(at: Motion, systems: Sequence[LimbSystem]) -> tuple[int, Working] | No
     inside = sum(system.inner_rank for system in systems) + _rank_of_others(at)
     value = freedoms - sum(sizes) + least - inside
     exact = len(at.platform_twists)
-    names = [f"E_{system.limb.name}" for system in systems]
-    remark = f"{sum(histogram.values())} choices of coordinate bases: " + ", ".join(
-        f"{n} share {size}" for size, n in sorted(histogram.items())
-    )
+    listed = _shortened([f"E_{system.limb.name}" for system in systems], " ∩ ")
+    remark = ""
+    if sum(histogram.values()) > 1:
+        remark = f"{sum(histogram.values())} choices of coordinate bases: " + ", ".join(
+            f"{n} share {size}" for size, n in sorted(histogram.items())
+        )
     if least != exact:
-        remark += f"; the spaces themselves share {exact}"
+        remark = f"{remark}; the spaces themselves share {exact}".lstrip("; ")
     if value != at.mobility:
-        remark += "; the count assumes spaces in general position"
+        remark = f"{remark}; the count assumes spaces in general position".lstrip("; ")
     inner = f" - {inside}" if inside else ""
     formula = (
-        f"{freedoms} - ({' + '.join(map(str, sizes))}) + dim({' ∩ '.join(names)})"
+        f"{freedoms} - ({_sum_of(sizes)}) + dim({listed})"
         f"{inner} = {freedoms - sum(sizes)} + {least}{inner}"
     )
     return value, Working(
@@ -185,7 +193,7 @@ def _screw(at: Motion, systems: Sequence[LimbSystem]) -> tuple[int, Working]:
         held -= 3  # the planar file knows nothing of what holds it in its plane
     idle = sum(system.idle for system in systems)
     idle += sum(alone.mobility for alone in _others(at))
-    names = " + ".join(f"W_{system.limb.name}" for system in systems) or "0"
+    names = _shortened([f"W_{system.limb.name}" for system in systems], " + ")
     if not systems:
         remark = "no limb connects base and platform"
         return at.mobility, Working("screws", f"{idle}", idle, remark)
@@ -240,3 +248,17 @@ def _concurrent(lines: Sequence[Sequence[int]], prime: int) -> bool:
 
 def _product(a: Sequence[int], b: Sequence[int], prime: int) -> int:
     return sum(x * y for x, y in zip(a, b, strict=True)) % prime
+
+
+def _shortened(names: Sequence[str], separator: str) -> str:
+    """Names joined; of more than three the first and the last."""
+    if len(names) > 3:
+        names = [names[0], "…", names[-1]]
+    return separator.join(names)
+
+
+def _sum_of(sizes: Sequence[int]) -> str:
+    """Sizes as a sum; equal ones of more than three limbs as a product."""
+    if len(sizes) > 3 and len(set(sizes)) == 1:
+        return f"{len(sizes)}*{sizes[0]}"
+    return " + ".join(map(str, sizes))

@@ -13,7 +13,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from screwkit.analyses.counts import counts
-from screwkit.analyses.full_cycle import full_cycle
+from screwkit.analyses.full_cycle import full_cycle, on_the_motion
+from screwkit.analyses.naming import named
 from screwkit.analyses.platform import finite_types, platform
 from screwkit.kinematics.network import Motion, Network, motion
 from screwkit.progress import Progress, silent
@@ -61,11 +62,16 @@ def mobility(
     if network.at_values is not None:
         special = _answer(network.at_values, progress)
     answer = _answer(network, progress, special)
-    at, size = answer.at, len(network.rows)
-    side_by_side, workings = counts(at)
+    at, size, rank = answer.at, len(network.rows), answer.at.rank
     about = answer.platform
+    moving = on_the_motion(network, answer.full_cycle, about)
+    if moving is not None:
+        special, rank, about = answer, moving.loop_rank, moving.platform
+    side_by_side, workings = counts(at, rank)
     if cases is not None:
         about = _with_cases(about, cases(about.motion_type))
+    progress("mobility", "names of constraints and freedoms")
+    names = named(*_in_numbers(answer, special))
     return Mobility(
         case=mechanism.name,
         title=mechanism.title,
@@ -78,15 +84,18 @@ def mobility(
         ),
         counts=side_by_side,
         workings=workings,
-        loop_rank=at.rank,
-        redundant_constraints=size * len(network.loops) - at.rank,
-        instantaneous_mobility=at.mobility,
+        loop_rank=rank,
+        redundant_constraints=size * len(network.loops) - rank,
+        instantaneous_mobility=len(network.labels) - rank,
         full_cycle=answer.full_cycle,
         platform=about,
         actuation=answer.actuation,
         partition=_partition(at),
-        at_values=None if special is None else _special(answer, special, size),
+        at_values=None if special is None else _special(rank, about, answer, special),
         platform_name=mechanism.platform,
+        redundancies=names.redundancies,
+        remaining_freedoms=names.remaining_freedoms,
+        unnamed=names.unnamed,
         connectivity=connectivity(at),
         loose_bodies=tuple(x for group in network.components[1:] for x in group),
     )
@@ -158,18 +167,18 @@ def connectivity(at: Motion) -> Connectivity | None:
     return Connectivity(links, tuple(tuple(row) for row in table))
 
 
-def _special(answer: _Answer, special: _Answer, size: int) -> SpecialValues:
-    at = special.at
+def _special(
+    rank: int, about: Platform, answer: _Answer, special: _Answer
+) -> SpecialValues:
+    """The answer at the values, beside the generic one given first."""
+    at, network = special.at, special.at.network
+    size, freedoms = len(network.rows), len(network.labels)
     differences = []
     for name, before, after in (
-        ("the loop rank is", answer.at.rank, at.rank),
-        ("the mobility is", answer.at.mobility, at.mobility),
-        (
-            "the motion type is",
-            answer.platform.motion_type,
-            special.platform.motion_type,
-        ),
-        ("the couples are", answer.platform.couples, special.platform.couples),
+        ("the loop rank is", rank, at.rank),
+        ("the mobility is", freedoms - rank, at.mobility),
+        ("the motion type is", about.motion_type, special.platform.motion_type),
+        ("the couples are", about.couples, special.platform.couples),
         (
             "the freedom left with the actuators locked is",
             answer.actuation and answer.actuation.remaining_platform_freedom,
@@ -180,7 +189,7 @@ def _special(answer: _Answer, special: _Answer, size: int) -> SpecialValues:
             differences.append(f"{name} {after}, in general {before}")
     return SpecialValues(
         loop_rank=at.rank,
-        redundant_constraints=size * len(at.network.loops) - at.rank,
+        redundant_constraints=size * len(network.loops) - at.rank,
         instantaneous_mobility=at.mobility,
         platform=special.platform,
         actuation=special.actuation,

@@ -12,7 +12,7 @@ from screwkit.reports.blocks import (
     prose,
     words,
 )
-from screwkit.reports.phrases import counted, listed
+from screwkit.reports.phrases import counted
 from screwkit.results.mobility import (
     Connectivity,
     FullCycle,
@@ -23,9 +23,13 @@ from screwkit.results.mobility import (
 
 def class_sentence(answer: Mobility) -> str:
     """The platform's motion in words; empty where there is nothing to add."""
-    found = answer.platform.motion_class
+    found, known = answer.platform.motion_class, answer.at_values
     if found is None or answer.platform.twist_dimension in (0, 6):
         return ""
+    if known is not None and known.platform.motion_class is not None:
+        at_values = known.platform.motion_class.description
+        if at_values != found.description:
+            return f"{at_values} (at the values of the file)"
     return found.description
 
 
@@ -59,18 +63,10 @@ def freedom_blocks(answer: Mobility, level: int = 2) -> tuple[Block, ...]:
     if not answer.remaining_freedoms:
         return ()
     rows = tuple(
-        (
-            words(str(i)),
-            prose(freedom.description),
-            words(listed(freedom.joints)),
-        )
+        (words(str(i)), prose(freedom.description))
         for i, freedom in enumerate(answer.remaining_freedoms, 1)
     )
-    columns = (
-        Column((), "right"),
-        Column(words("motion"), "wrap", 3.0),
-        Column(words("joints that move"), "wrap", 2.0),
-    )
+    columns = (Column((), "right"), Column((), "wrap"))
     return Heading(words("what is free"), level), Table(columns, rows)
 
 
