@@ -98,6 +98,7 @@ def mobility(
         unnamed=names.unnamed,
         connectivity=connectivity(at),
         loose_bodies=tuple(x for group in network.components[1:] for x in group),
+        generic=network.has_symbols,
     )
 
 

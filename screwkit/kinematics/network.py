@@ -67,6 +67,18 @@ class Network:
         """The coordinates of a twist that count: all six, or (ωz; vx, vy)."""
         return range(2, 5) if self.mechanism.space == "planar" else range(6)
 
+    @property
+    def has_symbols(self) -> bool:
+        """Whether anything is left free: symbols, or joint variables that nothing ties.
+
+        The axes of ``posture`` files do not depend on joint variables.
+        """
+        mechanism = self.mechanism
+        if mechanism.parameters:
+            return True
+        free = mechanism.geometry != "posture" and not self.tied
+        return free and bool(mechanism.joint_variables)
+
     @cached_property
     def joint_of(self) -> Mapping[str, str]:
         """The joint of each freedom."""

@@ -12,7 +12,7 @@ from screwkit.reports.blocks import (
     prose,
     words,
 )
-from screwkit.reports.phrases import counted
+from screwkit.reports.phrases import counted, platform_called
 from screwkit.results.mobility import (
     Connectivity,
     FullCycle,
@@ -63,11 +63,16 @@ def freedom_blocks(answer: Mobility, level: int = 2) -> tuple[Block, ...]:
     if not answer.remaining_freedoms:
         return ()
     rows = tuple(
-        (words(str(i)), prose(freedom.description))
+        (words(str(i)), prose(_named(freedom.description, answer)))
         for i, freedom in enumerate(answer.remaining_freedoms, 1)
     )
     columns = (Column((), "right"), Column((), "wrap"))
     return Heading(words("what is free"), level), Table(columns, rows)
+
+
+def _named(sentence: str, answer: Mobility) -> str:
+    """With the reader's own word for the platform."""
+    return sentence.replace("the platform", platform_called(answer.platform_name))
 
 
 def branch_blocks(answer: FullCycle, level: int = 2) -> tuple[Block, ...]:

@@ -46,17 +46,17 @@ def mobility_blocks(answer: Mobility) -> tuple[Block, ...]:
         *(Paragraph(text, 1) for text in said),
         counts_table(answer),
     ]
-    if len(answer.platform.cases) > 1:
-        blocks += [
-            Heading(words(f"motion of {platform_called(answer.platform_name)}"), 2),
-            motion_listing(answer.platform),
-        ]
     blocks += [
         *redundancy_blocks(answer),
         *freedom_blocks(answer),
         *unnamed_paragraph(answer),
         *branch_blocks(answer.full_cycle),
     ]
+    if len(answer.platform.cases) > 1:
+        blocks += [
+            Heading(words(f"motion of {platform_called(answer.platform_name)}"), 2),
+            motion_listing(answer.platform),
+        ]
     closing = [full_cycle(answer.full_cycle)]
     if answer.actuation is not None:
         closing.append(locked(answer.actuation, answer.platform_name))
@@ -86,14 +86,15 @@ def freedoms(answer: Mobility) -> tuple[Text, ...]:
     """The answer in two sentences."""
     platform = answer.platform
     name = platform_called(answer.platform_name)
-    of_platform: Text = (Words(f"{name} has no freedom, in general"),)
+    where = "in general" if answer.generic else "at the posture of the file"
+    of_platform: Text = (Words(f"{name} has no freedom, {where}"),)
     if platform.twist_dimension:
         of_platform = (
             Words(f"{name} has "),
             Strong(counted(platform.twist_dimension, "freedom")),
             Words(": "),
             Strong(platform.motion_type),
-            Words(", in general"),
+            Words(f", {where}"),
         )
     of_mechanism: Text = (
         Words("the mechanism has "),
@@ -166,6 +167,9 @@ def full_cycle(answer: FullCycle) -> str:
         return f"undecided whether the motion is finite{because}"
     how = " (sampled)" if answer.status == "sampled" else ""
     mobilities = answer.mobility
+    number = len(answer.branches)
+    if number > 1 and len(mobilities) == 1:
+        return f"the motion is finite, on {number} branches{because}{how}"
     if mobilities == (0,):
         return f"no finite motion: the structure is shaky or rigid{because}{how}"
     if len(mobilities) > 1:

@@ -57,6 +57,7 @@ class MotionBranch:
         instantaneous_mobility: Joint freedoms less loop rank at its points; above
             ``mobility`` where rank alone never tells the truth.
         motion_type: nTmR of the platform at its points.
+        couples: Pure couples among the platform's constraint wrenches there.
         motion: The finite motion of the platform in words; may be empty.
         starts: How many of the samples fell on it.
         modes: How many branches look like this one from outside but differ in the
@@ -68,6 +69,7 @@ class MotionBranch:
     loop_rank: int
     redundant_constraints: int
     motion_type: str
+    couples: int = 0
     motion: str = ""
     starts: int = 0
     modes: int = 1
@@ -300,6 +302,8 @@ class Mobility:
         unnamed: Why redundancies or freedoms are not listed; else empty.
         connectivity: None where there are too many bodies for a table.
         loose_bodies: Bodies that no joint connects with the base.
+        generic: Whether the answer holds for generic values of free symbols; else it
+            holds at the posture of the file.
     """
 
     case: str
@@ -321,3 +325,4 @@ class Mobility:
     unnamed: str = ""
     connectivity: Connectivity | None = None
     loose_bodies: tuple[str, ...] = ()
+    generic: bool = True
