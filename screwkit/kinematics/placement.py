@@ -20,7 +20,13 @@ from screwkit.kinematics.freedoms import JointTwist, freedom_twists
 from screwkit.kinematics.product_of_exponentials import placed_by_variables
 from screwkit.mechanism.graph import independent_loops
 from screwkit.mechanism.joints import RIGID, freedom_labels
-from screwkit.mechanism.model import Joint, JointType, MdhRow, Mechanism
+from screwkit.mechanism.model import (
+    Joint,
+    JointType,
+    MdhRow,
+    Mechanism,
+    variable_value,
+)
 from screwkit.screw import vector
 from screwkit.screw.displacement import Displacement
 
@@ -32,15 +38,21 @@ def parent_from_joint(joint: Joint, row: MdhRow, ring: Ring[S]) -> Displacement[
     if joint.type in TURNING:
         moved = add_angles(
             cosine_sine(joint.offsets[0], ring),
-            ring.cosine_sine(joint.variables[0]),
+            cosine_sine(variable_value(joint, 0), ring),
             ring,
         )
         theta = add_angles(theta, moved, ring)
     if joint.type is JointType.HELICAL and joint.pitch is not None:
-        turned = evaluate(joint.offsets[0], ring) + ring.symbol(joint.variables[0])
+        turned = evaluate(joint.offsets[0], ring) + evaluate(
+            variable_value(joint, 0), ring
+        )
         r = r + evaluate(joint.pitch, ring) * turned
     elif joint.type is JointType.PRISMATIC:
-        r = r + evaluate(joint.offsets[0], ring) + ring.symbol(joint.variables[0])
+        r = (
+            r
+            + evaluate(joint.offsets[0], ring)
+            + evaluate(variable_value(joint, 0), ring)
+        )
     return _table_displacement(row, theta, ring.normal(r), ring)
 
 

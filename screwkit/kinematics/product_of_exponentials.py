@@ -12,13 +12,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.evaluation import cosine_sine, evaluate
 from screwkit.algebra.expression import Call, Expression, Power, Sum
 from screwkit.algebra.ring import Ring, S
 from screwkit.kinematics.freedoms import JointTwist, freedom_twists
 from screwkit.mechanism.graph import spanning_tree
 from screwkit.mechanism.joints import is_actuable
-from screwkit.mechanism.model import Joint, JointType, Mechanism
+from screwkit.mechanism.model import Joint, JointType, Mechanism, variable_value
 from screwkit.screw import vector
 from screwkit.screw.displacement import Displacement
 from screwkit.screw.vector import Vector
@@ -32,14 +32,14 @@ def exponential(twist: JointTwist[S], joint: Joint, ring: Ring[S]) -> Displaceme
         joint: Whose freedom it is.
         ring: Where the coordinates live.
     """
-    name = joint.variables[twist.freedom]
+    value = variable_value(joint, twist.freedom)
     along = twist.moment if _slides(joint, twist.freedom) else twist.direction
     unit = _unit(along, _written_axis(joint, twist.freedom), ring)
     if _slides(joint, twist.freedom):
-        shift = vector.scaled(ring.symbol(name), unit)
+        shift = vector.scaled(evaluate(value, ring), unit)
         still = Displacement.identity(ring)
         return Displacement(still.rotation, vector.normal(ring, shift))
-    cosine, sine = ring.cosine_sine(name)
+    cosine, sine = cosine_sine(value, ring)
     rest = ring.normal(ring.one - cosine)
     rows = []
     for i in range(3):
@@ -51,7 +51,7 @@ def exponential(twist: JointTwist[S], joint: Joint, ring: Ring[S]) -> Displaceme
     rotation = (rows[0], rows[1], rows[2])
     shift = vector.subtract(twist.point, vector.rotate(rotation, twist.point))
     if joint.type is JointType.HELICAL and joint.pitch is not None:
-        advance = evaluate(joint.pitch, ring) * ring.symbol(name)
+        advance = evaluate(joint.pitch, ring) * evaluate(value, ring)
         shift = vector.add(shift, vector.scaled(advance, unit))
     return Displacement(rotation, vector.normal(ring, shift))
 

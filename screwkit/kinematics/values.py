@@ -21,7 +21,8 @@ def with_values(mechanism: Mechanism, values: Mapping[str, Expression]) -> Mecha
 
     Args:
         mechanism: As read.
-        values: Expressions in the symbols that stay, by name.
+        values: Expressions in the symbols that stay, by name; joint variables are held
+            at theirs.
     """
     if not values:
         return mechanism
@@ -70,6 +71,7 @@ def _joint(joint: Joint, values: dict[str, Expression]) -> Joint:
     return replace(
         joint,
         mdh=row,
+        held=_held(joint, values),
         offsets=tuple(substitute(offset, values) for offset in joint.offsets),
         axes=tuple(axis for axis in axes if axis is not None),
         point=vector(joint.point),
@@ -77,3 +79,12 @@ def _joint(joint: Joint, values: dict[str, Expression]) -> Joint:
         line=vector(joint.line),
         pitch=None if pitch is None else substitute(pitch, values),
     )
+
+
+def _held(joint: Joint, values: dict[str, Expression]) -> tuple[Expression | None, ...]:
+    before = joint.held or (None,) * len(joint.variables)
+    known = [values.get(name) for name in joint.variables]
+    held = tuple(
+        old if new is None else new for old, new in zip(before, known, strict=True)
+    )
+    return held if any(value is not None for value in held) else ()

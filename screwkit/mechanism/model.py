@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, Literal, TypeAlias
 
-from screwkit.algebra.expression import ZERO, Expression
+from screwkit.algebra.expression import ZERO, Expression, Symbol
 
 VectorExpression: TypeAlias = tuple[Expression, Expression, Expression]
 Space: TypeAlias = Literal["spatial", "planar"]
@@ -90,6 +90,8 @@ class Joint:
         normal: Common normal of a contact or of a planar joint.
         line: Line of contact.
         pitch: Advance per radian of a helical joint.
+        held: The value at which each variable is held, None where it is free; empty
+            where all are.
     """
 
     name: str
@@ -105,6 +107,7 @@ class Joint:
     normal: VectorExpression | None = None
     line: VectorExpression | None = None
     pitch: Expression | None = None
+    held: tuple[Expression | None, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -226,6 +229,12 @@ class Mechanism:
             for joint in self.joints
             for index in joint.actuated
         )
+
+
+def variable_value(joint: Joint, index: int) -> Expression:
+    """The variable of a freedom as an expression: its symbol, or what it is held at."""
+    held = joint.held[index] if joint.held else None
+    return Symbol(joint.variables[index]) if held is None else held
 
 
 def freedom_label(joint: Joint, index: int) -> str:
