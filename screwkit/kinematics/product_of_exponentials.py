@@ -9,7 +9,7 @@ References: [MurrayLiSastry1994] §3.2.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from screwkit.algebra.evaluation import cosine_sine, evaluate
@@ -34,7 +34,7 @@ def exponential(twist: JointTwist[S], joint: Joint, ring: Ring[S]) -> Displaceme
     """
     value = variable_value(joint, twist.freedom)
     along = twist.moment if _slides(joint, twist.freedom) else twist.direction
-    unit = _unit(along, _written_axis(joint, twist.freedom), ring)
+    unit = _unit(along, _possible_squares(joint, twist.freedom), ring)
     if _slides(joint, twist.freedom):
         shift = vector.scaled(evaluate(value, ring), unit)
         still = Displacement.identity(ring)
@@ -131,22 +131,37 @@ def _slides(joint: Joint, freedom: int) -> bool:
     )
 
 
-def _written_axis(joint: Joint, freedom: int) -> tuple[Expression, ...] | None:
-    """The axis as the file writes it, where its length may differ from 1."""
+def _possible_squares(joint: Joint, freedom: int) -> tuple[Expression, ...]:
+    """Squares of lengths, as the file writes them, one of which is the axis's.
+
+    A planar joint slides along products of its normal with unit vectors, whose squares
+    are those of two of the normal's coordinates; empty where the axis is a unit vector.
+    """
+    if joint.type is JointType.PLANAR and joint.normal is not None and freedom:
+        x, y, z = (Power(part, 2) for part in joint.normal)
+        return Sum((x, y)), Sum((y, z)), Sum((z, x))
     if joint.type is JointType.UNIVERSAL:
-        return joint.axes[freedom]
-    if joint.type is JointType.PLANAR:
-        return joint.normal
-    return joint.axes[0] if joint.axes else None
+        written: tuple[Expression, ...] | None = joint.axes[freedom]
+    elif joint.type is JointType.PLANAR:
+        written = joint.normal
+    else:
+        written = joint.axes[0] if joint.axes else None
+    return () if written is None else (Sum(tuple(Power(p, 2) for p in written)),)
 
 
-def _unit(
-    along: Vector[S], written: tuple[Expression, ...] | None, ring: Ring[S]
-) -> Vector[S]:
-    """The direction divided by its length, which is that of the written axis."""
-    if written is None:
+def _unit(along: Vector[S], squares: Sequence[Expression], ring: Ring[S]) -> Vector[S]:
+    """The direction divided by its length, whose square is one of those given."""
+    if not squares:
         return along
-    square = Sum(tuple(Power(part, 2) for part in written))
-    length = ring.square_root(square, ring.normal(vector.dot(along, along)))
-    shrink = ring.inverse(Call("sqrt", (square,)), length)
+    square = ring.normal(vector.dot(along, along))
+    equal = [
+        written
+        for written in squares
+        if ring.is_zero(ring.normal(evaluate(written, ring) - square))
+    ]
+    shrink = ring.one
+    # Where nothing can be compared, as in a survey, all of them may be needed.
+    for written in equal[:1] or squares:
+        length = ring.square_root(written, square)
+        shrink = ring.inverse(Call("sqrt", (written,)), length)
     return vector.normal(ring, vector.scaled(shrink, along))
