@@ -89,8 +89,10 @@ def joints_words(kinds: Sequence[str], joints: Sequence[str], limb: str = "") ->
     'the wrenches at joints A, B and C inside limb left depend on each other'
     """
     inside = f" inside {_limb(limb)}" if limb else ""
-    place = f"at joints {listed(joints)}{inside}"
-    return f"the {plural_words(kinds)} {place} depend on each other"
+    place = f"joints {listed(joints)}"
+    if len(joints) > MANY:
+        place = f"{len(joints)} joints"
+    return f"the {plural_words(kinds)} at {place}{inside} depend on each other"
 
 
 def plural_words(kinds: Sequence[str]) -> str:

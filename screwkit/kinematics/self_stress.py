@@ -13,14 +13,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import chain, combinations, islice
+from itertools import chain, combinations, islice, permutations
 from typing import TypeAlias
 
 from screwkit.algebra.elimination_modulo import eliminated
 from screwkit.algebra.modular import annihilator
 from screwkit.kinematics.exact_postures import ExactPosture
 from screwkit.kinematics.network import Motion, Network
-from screwkit.kinematics.readable_screws import Row, readable_basis
+from screwkit.kinematics.readable_screws import Row, kind_of, readable_basis
 from screwkit.kinematics.residue_spaces import (
     Span,
     complement,
@@ -167,13 +167,50 @@ def _add_larger(
             least = least_outside(space, spared, found.span)
             support = {joint for v in least for joint, _ in v}
             known = [v for v in found.vectors if {j for j, _ in v} <= support]
-            moved = _moments_about(least, _first_point(support, points), prime)
-            known = _moments_about(known, _first_point(support, points), prime)
-            for vector in reversed(complement(moved, known, prime, _forces_first)):
-                back = [-x for x in _first_point(support, points)]
+            inner = {joint for v in known for joint, _ in v}
+            point = _first_point(inner or support, points)
+            for vector in _simplest(
+                _moments_about(least, point, prime),
+                _moments_about(known, point, prime),
+                prime,
+            ):
+                back = [-x for x in point]
                 found.add(_moments_about([vector], back, prime)[0])
         if len(found.span) == count:
             return
+
+
+def _simplest(
+    space: Sequence[Stress], known: Sequence[Stress], prime: int
+) -> list[Stress]:
+    """What a space adds to what is known in it, with few screws and few entries.
+
+    What adds is free up to what is known; the entries to be cleared are tried in
+    several orders.
+    """
+    tried: list[tuple[tuple[int, int, int], int, list[Stress]]] = []
+    for axes in permutations(range(3)):
+        for forces_first in (True, False):
+
+            def order(entry: Entry) -> tuple[object, ...]:
+                joint, coordinate = entry
+                half = (coordinate < 3) is not forces_first  # noqa: B023
+                return half, by_name(joint), axes.index(coordinate % 3)  # noqa: B023
+
+            vectors = complement(space, known, prime, order)
+            tried.append((_difficulty(vectors, prime), len(tried), vectors))
+    return min(tried)[2][::-1]
+
+
+def _difficulty(vectors: Sequence[Stress], prime: int) -> tuple[int, int, int]:
+    """Screws, wrenches that are no couples, and entries."""
+    kinds = [
+        kind_of([vector.get((joint, i), 0) for i in range(6)], prime)
+        for vector in vectors
+        for joint in {joint for joint, _ in vector}
+    ]
+    lines = len(kinds) - kinds.count("free")
+    return kinds.count("screw"), lines, sum(map(len, vectors))
 
 
 def _sets_of_limbs(network: Network, joints: Sequence[str]) -> Iterator[set[str]]:
@@ -227,12 +264,6 @@ def _all_stresses(network: Network, posture: ExactPosture) -> list[Stress]:
 
 def _entries(joints: Sequence[str]) -> list[Entry]:
     return [(joint, i) for joint in joints for i in range(6)]
-
-
-def _forces_first(entry: Entry) -> tuple[object, ...]:
-    """Pivots lie in forces where there are any, so that couples stay pure."""
-    joint, coordinate = entry
-    return coordinate >= 3, by_name(joint), coordinate
 
 
 def _first_point(
