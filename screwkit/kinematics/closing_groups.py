@@ -1,0 +1,301 @@
+"""Smooth families of closed postures, from the groups in which loops close.
+
+If the displacement of every loop of a basis stays in a group of dimension dᵢ and the
+loop equations have the rank Σ dᵢ, they are a submersion and the closed postures are a
+manifold.  Two devices make more loops close in small groups: joints that turn by equal
+or opposite angles are tied to one parameter, and a body whose twists form an algebra is
+also led there by a virtual joint of that group.  Either leaves a subfamily; if its
+dimension is the instantaneous mobility, it is all there is.
+
+References: [Hervé1999], [RicoRavani2003] (kinematic chains and subalgebras).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+from screwkit.kinematics.chain_graph import (
+    ChainGraph,
+    Cycle,
+    Edge,
+    independent_cycles,
+    with_parameters,
+)
+from screwkit.kinematics.lie_closure import (
+    ResidueScrew,
+    Span,
+    is_subalgebra,
+    loop_algebra,
+)
+
+MOST_CYCLES = 120
+MOST_VIRTUAL = 8
+LARGEST_BLOCK = 80
+"""Freedoms up to which subfamilies are tried."""
+
+
+@dataclass(frozen=True)
+class Closing:
+    """A subfamily with the groups in which a basis of its loops closes.
+
+    Attributes:
+        graph: The subfamily; its parameters may be fewer than the mechanism's freedoms.
+        basis: Loops.
+        dimensions: dᵢ of each loop of the basis.
+        virtual: Pairs of bodies joined by a virtual joint.
+        tied: Whether joints are tied, or held because they do not move.
+    """
+
+    graph: ChainGraph
+    basis: tuple[Cycle, ...]
+    dimensions: tuple[int, ...]
+    virtual: tuple[tuple[str, str], ...] = ()
+    tied: bool = False
+
+    @property
+    def deficit(self) -> int:
+        """Σ dᵢ − rank; the family is proved smooth where it is 0."""
+        return sum(self.dimensions) - self.graph.rank
+
+
+class _Search:
+    """The search in one family; the groups of loops are computed once.
+
+    Attributes:
+        graph: The family without virtual joints.
+        ends: Bodies between which a virtual joint is tried in any case.
+        tied: Whether the family is less than the whole.
+    """
+
+    def __init__(self, graph: ChainGraph, ends: Sequence[str], tied: bool) -> None:
+        self.graph, self.ends, self.tied = graph, ends, tied
+        self._twists = graph.body_twists()
+        self._dimensions: dict[tuple[str, ...], int] = {}
+        self._systems: dict[tuple[str, str], Sequence[ResidueScrew] | None] = {}
+
+    def best(self) -> Closing:
+        """Virtual joints are added as long as one makes loops close in less."""
+        best = self._closing(())
+        pair = tuple(body for body in self.ends if body in self._twists)
+        if best.deficit and len(pair) == 2 and self._system(pair[0], pair[1]):
+            other = self._closing(((pair[0], pair[1]),))
+            if other.deficit <= best.deficit:
+                best = other
+        while best.deficit and len(best.virtual) < MOST_VIRTUAL:
+            found = self._split(best)
+            if found is None:
+                break
+            best = self._closing((*best.virtual, found))
+        return best
+
+    def plain(self) -> Closing:
+        """Without virtual joints: all postures."""
+        return self._closing(())
+
+    def _closing(self, virtual: tuple[tuple[str, str], ...]) -> Closing:
+        """The loops with the smallest groups, some virtual joints added."""
+        graph = self.graph
+        for one, other in virtual:
+            graph = _joined(graph, one, other, self._system(one, other) or ())
+        cycles = graph.simple_cycles(MOST_CYCLES)
+        ordered = sorted(cycles, key=lambda c: (self._dimension(graph, c), len(c)))
+        basis = independent_cycles(graph, ordered, len(graph.fundamental_cycles))
+        dimensions = tuple(self._dimension(graph, c) for c in basis)
+        return Closing(graph, tuple(basis), dimensions, virtual, self.tied)
+
+    def _split(self, closing: Closing) -> tuple[str, str] | None:
+        """The two bodies of a loop whose virtual joint saves most equations.
+
+        It turns a loop of the basis into two, with fewer equations than the loop and
+        the joint's freedoms together.
+        """
+        graph, most, chosen = closing.graph, 0, None
+        for cycle, dimension in zip(closing.basis, closing.dimensions, strict=True):
+            bodies = [
+                (graph.edges[n].tail if sign > 0 else graph.edges[n].head)
+                for n, sign in cycle
+            ]
+            for i, j in combinations(range(len(cycle)), 2):
+                pair = bodies[i], bodies[j]
+                system = self._system(*pair)
+                if system is None or pair in closing.virtual:
+                    continue
+                two = _joined(graph, *pair, system)
+                new = range(len(graph.edges), len(two.edges))
+                there = tuple((n, 1) for n in new)
+                back = tuple((n, -1) for n in reversed(new))
+                inner = self._dimension(two, (*cycle[i:j], *back))
+                outer = self._dimension(two, (*cycle[j:], *cycle[:i], *there))
+                saved = dimension + len(system) - inner - outer
+                if saved > most:
+                    most, chosen = saved, pair
+        return chosen
+
+    def _dimension(self, graph: ChainGraph, cycle: Cycle) -> int:
+        # A cycle may use a virtual joint, whose name tells the bodies that it joins.
+        key = tuple(sorted(graph.edges[number].name for number, _ in cycle))
+        if key not in self._dimensions:
+            algebra = loop_algebra(graph.word(cycle), graph.prime)
+            self._dimensions[key] = len(algebra)
+        return self._dimensions[key]
+
+    def _system(self, one: str, other: str) -> Sequence[ResidueScrew] | None:
+        """Relative twists of two bodies, where they are an algebra below se(3)."""
+        key = one, other
+        if key not in self._systems:
+            self._systems[key] = None
+            if one in self._twists and other in self._twists:
+                system = self._relative_twists(one, other)
+                if len(system) < 6 and is_subalgebra(system, self.graph.prime):
+                    self._systems[key] = system
+        return self._systems[key]
+
+    def _relative_twists(self, one: str, other: str) -> list[ResidueScrew]:
+        prime, system = self.graph.prime, list[ResidueScrew]()
+        span = Span(prime)
+        for a, b in zip(self._twists[one], self._twists[other], strict=True):
+            relative = tuple((y - x) % prime for x, y in zip(a, b, strict=True))
+            if span.add(relative):
+                system.append(relative)
+        return system
+
+
+def smooth_family(graph: ChainGraph, ends: Sequence[str]) -> Closing | None:
+    """A family of closed postures proved smooth, of the full instantaneous mobility.
+
+    Args:
+        graph: A block.
+        ends: Base and platform, which are tried as ends of a virtual joint.
+    """
+    if graph.width > LARGEST_BLOCK:
+        return None
+    for family in _families(graph):
+        closing = _Search(family, ends, family is not graph).best()
+        if not closing.deficit and closing.graph.mobility == graph.mobility:
+            return closing
+    return None
+
+
+def all_postures(graph: ChainGraph) -> Closing:
+    """The groups in which the loops of a block close, nothing tied or led.
+
+    The deficit is the number of equations that second and higher orders can add.
+    """
+    return _Search(graph, (), tied=False).plain()
+
+
+def _joined(
+    graph: ChainGraph, one: str, other: str, system: Sequence[ResidueScrew]
+) -> ChainGraph:
+    """With a virtual joint: exponentials of a basis in series, locally the group."""
+    edges, here = list(graph.edges), one
+    for number, screw in enumerate(system, start=1):
+        there = other if number == len(system) else f"{one}~{other}/{number}"
+        name = f"{one}~{other}:{number}"
+        edges.append(Edge(name, here, there, screw, graph.width + number - 1))
+        here = there
+    if not system:
+        edges.append(Edge(f"{one}~{other}", one, other))
+    return ChainGraph(tuple(edges), graph.width + len(system), graph.prime)
+
+
+def _families(graph: ChainGraph) -> Iterator[ChainGraph]:
+    """The graph and subfamilies with the same rates at the posture, without repeats."""
+    groups = _tied_groups(graph)
+    still = frozenset(range(graph.width)) - {p for r in graph.rates for p in r}
+    closing = _ties_that_close(graph, groups)
+    seen = set()
+    for ties in (groups[:0], closing, groups):
+        for held in (frozenset[int](), still):
+            key = (tuple(sorted(map(tuple, ties))), held)
+            if key not in seen:
+                seen.add(key)
+                yield graph if not ties and not held else _tied(graph, ties, held)
+
+
+def _tied_groups(graph: ChainGraph) -> list[dict[int, int]]:
+    """Parameters of parallel rotations that go through equal or opposite angles.
+
+    Each group gives the factor from its first parameter to the others; a parameter in
+    one group at most.  Compared are the rates of all motions at the posture.
+    """
+    prime, groups, taken = graph.prime, [], set[int]()
+    turning = {e.parameter: e.screw for e in graph.edges if _is_rotation(e, prime)}
+    columns = {p: [rates.get(p, 0) for rates in graph.rates] for p in turning}
+    for first, screw in turning.items():
+        if first in taken or not any(columns[first]):
+            continue
+        group = {first: 1}
+        for other, second in turning.items():
+            if other <= first or other in taken:
+                continue
+            ratio = _ratio(screw[:3], second[:3], prime)
+            for factor in (ratio, -ratio) if ratio else ():
+                # other = ±ratio⁻¹ · first: angles about axes of different length.
+                scaled = pow(factor, -1, prime)
+                if columns[other] == [scaled * x % prime for x in columns[first]]:
+                    group[other] = scaled
+        if len(group) > 1:
+            taken |= set(group)
+            groups.append(group)
+    return groups
+
+
+def _is_rotation(edge: Edge, prime: int) -> bool:
+    """Whether it is a rotation: no translation, no helix."""
+    w, v = edge.screw[:3], edge.screw[3:]
+    return any(w) and not sum(x * y for x, y in zip(w, v, strict=True)) % prime
+
+
+def _ratio(first: Sequence[int], second: Sequence[int], prime: int) -> int:
+    """The factor from the first to the second; 0 where there is none."""
+    pivot = next(i for i, x in enumerate(first) if x)
+    ratio = second[pivot] * pow(first[pivot], -1, prime) % prime
+    parallel = all(
+        (ratio * x - y) % prime == 0 for x, y in zip(first, second, strict=True)
+    )
+    return ratio if parallel else 0
+
+
+def _ties_that_close(
+    graph: ChainGraph, groups: list[dict[int, int]]
+) -> list[dict[int, int]]:
+    """Of the ties those in loops that they close identically, as in parallelograms."""
+    tied = _tied(graph, groups, frozenset())
+    kept: list[set[int]] = []
+    for cycle in graph.simple_cycles(MOST_CYCLES):
+        if len(cycle) <= 8 and not loop_algebra(tied.word(cycle), graph.prime):
+            own = {graph.edges[n].parameter for n, _ in cycle} - {-1}
+            kept += [own & set(g) for g in groups if len(own & set(g)) > 1]
+    merged: list[set[int]] = []
+    for members in kept:
+        apart = [other for other in merged if not other & members]
+        joined = members.union(*(other for other in merged if other & members))
+        merged = [*apart, joined]
+    found = []
+    for members in merged:
+        group = next(g for g in groups if members <= set(g))
+        unit = pow(group[min(members)], -1, graph.prime)
+        found.append({p: group[p] * unit % graph.prime for p in sorted(members)})
+    return found
+
+
+def _tied(
+    graph: ChainGraph, ties: Sequence[Mapping[int, int]], held: frozenset[int]
+) -> ChainGraph:
+    """The subfamily in which tied parameters are one and held ones are zero."""
+    prime = graph.prime
+    leader = {p: (min(ties_), k) for ties_ in ties for p, k in ties_.items()}
+    edges = []
+    for edge in graph.edges:
+        if edge.parameter in held:
+            edges.append(replace(edge, screw=(), parameter=-1))
+        elif edge.parameter in leader:
+            parameter, factor = leader[edge.parameter]
+            screw = tuple(factor * x % prime for x in edge.screw)
+            edges.append(replace(edge, screw=screw, parameter=parameter))
+        else:
+            edges.append(edge)
+    return with_parameters(edges, prime)

@@ -1,0 +1,218 @@
+"""Subalgebras of twists modulo a prime: what joints in series can generate.
+
+The displacements of a chain lie in the subgroup whose algebra is the closure of the
+chain's screws under the bracket, however far the joints move.  Where joints are tied
+together, the twists at random joint values span less, and their closure is the smallest
+algebra that counts.
+
+References: [Hervé1999], [MurrayLiSastry1994] App. A.
+"""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from typing import TypeAlias
+
+ResidueScrew: TypeAlias = tuple[int, ...]
+"""(ω; v) modulo the prime at hand."""
+
+Word: TypeAlias = tuple[tuple[int, ResidueScrew], ...]
+"""A product of exponentials, factor by factor: the number of a parameter and the screw
+that it multiplies, the sign of the passage included."""
+
+_Rotation: TypeAlias = tuple[tuple[int, ...], ...]
+_Displacement: TypeAlias = tuple[_Rotation, tuple[int, ...]]
+
+
+class Span:
+    """A growing space of residue vectors in echelon form."""
+
+    def __init__(self, prime: int, rows: Iterable[Sequence[int]] = ()) -> None:
+        self.prime = prime
+        self._rows: dict[int, list[int]] = {}
+        for row in rows:
+            self.add(row)
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def add(self, vector: Sequence[int]) -> bool:
+        """Take a vector in; whether it was new."""
+        prime = self.prime
+        left = [x % prime for x in vector]
+        for pivot, row in self._rows.items():
+            factor = left[pivot]
+            if factor:
+                left = [
+                    (x - factor * y) % prime for x, y in zip(left, row, strict=True)
+                ]
+        pivot = next((i for i, x in enumerate(left) if x), -1)
+        if pivot < 0:
+            return False
+        inverse = pow(left[pivot], -1, prime)
+        self._rows[pivot] = [x * inverse % prime for x in left]
+        return True
+
+
+def bracket(left: ResidueScrew, right: ResidueScrew, prime: int) -> ResidueScrew:
+    """[left, right] of two twists (ω; v): (ω₁×ω₂; ω₁×v₂ + v₁×ω₂)."""
+    a, b, c, d = left[:3], left[3:], right[:3], right[3:]
+    turn = _cross(a, c)
+    shift = [x + y for x, y in zip(_cross(a, d), _cross(b, c), strict=True)]
+    return tuple(x % prime for x in (*turn, *shift))
+
+
+def lie_closure(screws: Iterable[ResidueScrew], prime: int) -> list[ResidueScrew]:
+    """Basis of the smallest algebra of twists that holds these screws."""
+    span, basis = Span(prime), list[ResidueScrew]()
+    waiting = list(screws)
+    while waiting and len(basis) < 6:
+        screw = waiting.pop()
+        if span.add(screw):
+            waiting.extend(bracket(screw, other, prime) for other in basis)
+            basis.append(screw)
+    return basis
+
+
+def is_subalgebra(basis: Sequence[ResidueScrew], prime: int) -> bool:
+    """Whether the bracket does not lead out of the span of independent screws."""
+    return len(lie_closure(basis, prime)) == len(basis)
+
+
+def loop_algebra(word: Word, prime: int) -> list[ResidueScrew]:
+    """Algebra of a subgroup in which a loop's displacement stays at all joint values.
+
+    With each parameter in one factor it is the closure of the screws.  Where factors
+    share a parameter, the displacement W(q) satisfies ∂W/∂q W⁻¹ ∈ V with the span V of
+    these twists over all q, so that W stays in the group of the closure of V; V is
+    taken at random q until it no longer grows [Schwartz1980].  A loop may be entered
+    anywhere, which conjugates W; the start with the smallest algebra is the best.
+    """
+    whole = lie_closure((screw for _, screw in word), prime)
+    uses = Counter(parameter for parameter, _ in word)
+    if len(uses) == len(word):
+        return whole
+    least = len(Span(prime, _tied_columns(word, prime)))
+    best = whole
+    for start, (parameter, _) in enumerate(word):
+        if len(best) == least:
+            break
+        if uses[parameter] > 1 or uses[word[start - 1][0]] > 1:
+            turned = (*word[start:], *word[:start])
+            found = lie_closure(_twists_anywhere(turned, prime), prime)
+            best = min(best, found, key=len)
+    return best
+
+
+def _tied_columns(word: Word, prime: int) -> list[list[int]]:
+    """The twist that each parameter alone gives at the posture."""
+    columns: dict[int, list[int]] = {}
+    for parameter, screw in word:
+        column = columns.setdefault(parameter, [0] * 6)
+        columns[parameter] = [
+            (x + y) % prime for x, y in zip(column, screw, strict=True)
+        ]
+    return list(columns.values())
+
+
+def _twists_anywhere(word: Word, prime: int) -> list[ResidueScrew]:
+    """Twists ∂W/∂q W⁻¹ that span those at all parameter values."""
+    source = random.Random(len(word))
+    span, found, grows = Span(prime), list[ResidueScrew](), True
+    while grows and len(span) < 6:
+        grows = False
+        for column in _twists_at_random(word, prime, source):
+            if span.add(column):
+                found.append(tuple(column))
+                grows = True
+    return found
+
+
+def _twists_at_random(word: Word, prime: int, source: random.Random) -> list[list[int]]:
+    parameters = {parameter for parameter, _ in word}
+    values = {
+        p: (source.randrange(1, prime), source.randrange(prime))
+        for p in sorted(parameters)
+    }
+    moved: list[tuple[int, ResidueScrew]] = []
+    before: _Displacement = (((1, 0, 0), (0, 1, 0), (0, 0, 1)), (0, 0, 0))
+    for parameter, screw in word:
+        moved.append((parameter, _carried(before, screw, prime)))
+        step = _exponential(screw, *values[parameter], prime)
+        before = _composed(before, step, prime)
+    return _tied_columns(tuple(moved), prime)
+
+
+def _exponential(
+    screw: ResidueScrew, value: int, advance: int, prime: int
+) -> _Displacement:
+    """A displacement of the screw's one-parameter group, by Cayley's parameter.
+
+    The rotation is I + 2 (t[ω] + t²[ω]²) / (1 + t²ω·ω), so that opposite values undo
+    each other.  The advance of a helix per pitch is no algebraic function of t, and an
+    independent residue.
+    """
+    w, v = screw[:3], screw[3:]
+    square = sum(x * x for x in w) % prime
+    if not square:
+        return ((1, 0, 0), (0, 1, 0), (0, 0, 1)), tuple(value * x % prime for x in v)
+    scale = 2 * value * pow(1 + value * value * square, -1, prime) % prime
+    cross = ((0, -w[2], w[1]), (w[2], 0, -w[0]), (-w[1], w[0], 0))
+    rotation = tuple(
+        tuple(
+            (
+                int(i == j)
+                + scale
+                * (cross[i][j] + value * (w[i] * w[j] - (square if i == j else 0)))
+            )
+            % prime
+            for j in range(3)
+        )
+        for i in range(3)
+    )
+    inverse = pow(square, -1, prime)
+    point = [x * inverse % prime for x in _cross(w, v)]
+    pitch = sum(x * y for x, y in zip(w, v, strict=True)) * inverse % prime
+    advance = pitch * advance % prime
+    image = _rotated(rotation, point, prime)
+    return rotation, tuple(
+        (x - y + advance * z) % prime for x, y, z in zip(point, image, w, strict=True)
+    )
+
+
+def _composed(one: _Displacement, other: _Displacement, prime: int) -> _Displacement:
+    (first, here), (second, there) = one, other
+    columns = list(zip(*second, strict=True))
+    product = tuple(
+        tuple(sum(x * y for x, y in zip(row, c, strict=True)) % prime for c in columns)
+        for row in first
+    )
+    image = _rotated(first, there, prime)
+    return product, tuple((x + y) % prime for x, y in zip(image, here, strict=True))
+
+
+def _carried(
+    displacement: _Displacement, screw: ResidueScrew, prime: int
+) -> ResidueScrew:
+    """The screw after the displacement: (Rω; Rv + t×Rω)."""
+    rotation, shift = displacement
+    turn = _rotated(rotation, screw[:3], prime)
+    slide = _rotated(rotation, screw[3:], prime)
+    around = _cross(shift, turn)
+    return (*turn, *((x + y) % prime for x, y in zip(slide, around, strict=True)))
+
+
+def _rotated(rotation: _Rotation, vector: Sequence[int], prime: int) -> tuple[int, ...]:
+    return tuple(
+        sum(x * y for x, y in zip(row, vector, strict=True)) % prime for row in rotation
+    )
+
+
+def _cross(a: Sequence[int], b: Sequence[int]) -> tuple[int, int, int]:
+    return (
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    )
