@@ -72,15 +72,34 @@ def agreement(
         return None
     if isinstance(computed, bool) or isinstance(claimed, bool):
         return bool(claimed == computed) if type(claimed) is type(computed) else None
-    if isinstance(claimed, int | float) and isinstance(computed, int | float):
-        allowed = 0.0 if tolerance is None else tolerance
-        return abs(claimed - computed) <= allowed
+    if _is_number(claimed) and _is_number(computed):
+        return _close(claimed, computed, tolerance or 0.0)
+    if _are_numbers(claimed) and _are_numbers(computed):
+        return len(claimed) == len(computed) and all(
+            _close(one, other, tolerance or 0.0)
+            for one, other in zip(claimed, computed, strict=True)
+        )
     if isinstance(claimed, list | tuple) and isinstance(computed, list):
         return _lists(list(claimed), computed)
     if isinstance(claimed, str) and isinstance(computed, str):
         same = _canonical(claimed) == _canonical(computed)
         return same if same or not partly else None
     return None
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _are_numbers(value: Any) -> bool:
+    return (
+        isinstance(value, list | tuple) and bool(value) and all(map(_is_number, value))
+    )
+
+
+def _close(claimed: float, computed: float, tolerance: float) -> bool:
+    """Equal up to a part of the claimed number; up to the part itself where it is 0."""
+    return abs(claimed - computed) <= tolerance * (abs(claimed) or 1.0)
 
 
 def _lists(claimed: list[Any], computed: list[Any]) -> bool | None:

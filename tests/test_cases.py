@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from screwkit.case import bundled_cases, load
-from screwkit.claims import checked_claims, value_at
+from screwkit.claims import agreement, checked_claims, value_at
 from screwkit.mechanism.model import Claim
 from screwkit.questions import mobility, schemes, screws, singularities
 from screwkit.reports.records import part_to_json
@@ -64,3 +64,35 @@ def test_claim(name: str, claim: Claim) -> None:
         assert check.agrees is not None
     if claim.holds:
         assert check.agrees is not False, (check.claimed, check.computed)
+
+
+@pytest.mark.parametrize(
+    ("claimed", "computed", "tolerance", "agrees"),
+    [
+        (4, 4, 0.0, True),
+        (4, 5, 0.0, False),
+        (200.0, 201.0, 0.01, True),
+        (0.02, 0.03, 0.01, False),
+        (0, 0.005, 0.01, True),
+        ([9.736, 0.5135], [9.736466686, 0.5135333136], 1e-3, True),
+        ([9.736, 0.5135], [9.736466686, 0.6], 1e-3, False),
+        ([1, 2], [1, 2, 3], 0.1, False),
+        ([3], [3], 0.0, True),
+        (True, 1, 0.0, None),
+        ("1T3R", "1T3R", 0.0, True),
+        ("2*a + b", "b + 2*a", 0.0, False),
+        (3, None, 0.0, None),
+    ],
+)
+def test_agreement(
+    claimed: Any, computed: Any, tolerance: float, agrees: bool | None
+) -> None:
+    assert agreement(claimed, computed, tolerance, partly=False) is agrees
+
+
+def test_claims_of_variants_replace_those_of_the_file() -> None:
+    named = [param.values[0] for param in claims()]
+    for name in bundled_cases():
+        for variant in load(name).variants:
+            own = load(name, variant=variant).claims
+            assert named.count(f"{name}#{variant}") == len(own)
