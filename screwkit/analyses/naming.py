@@ -154,6 +154,9 @@ class _Words:
         self._reader: TextReader | None = None
         if other is not None:
             self._reader = TextReader(one.motion.posture, other.motion.posture)
+        ends = self._network.mechanism.base, self._network.mechanism.platform
+        held = self._network.connected(*ends)
+        self._rests = ", the platform rests" if held else ""
         self._movable = sum(map(bool, self._network.labels_of.values()))
 
     def redundancy(self, number: int) -> Redundancy:
@@ -238,7 +241,7 @@ class _Words:
         text = self._screw((one.twist, other.twist), joints) if one.twist else None
         if one.idle or text is None:
             through = self._met(one.twist, joints) if one.twist else []
-            words = idle_words(text, joints, one.bodies, through)
+            words = idle_words(text, joints, one.bodies, through, self._rests)
         else:
             words = platform_words(text, joints, self._movable)
         return RemainingFreedom(

@@ -119,6 +119,7 @@ def idle_words(
     joints: Sequence[str],
     bodies: Sequence[str],
     through: Sequence[str],
+    rests: str = ", the platform rests",
 ) -> str:
     """A freedom at which the platform rests.
 
@@ -127,6 +128,7 @@ def idle_words(
         joints: Those that move.
         bodies: Those that move.
         through: Joints whose points lie apart on the axis of a rotation.
+        rests: What to add where it does not go without saying.
 
     >>> spin = ScrewTexts("line", ("0", "0", "1"), ("0", "0", "0"), "0")
     >>> idle_words(spin, ["S1", "S2"], ["rod"], ["S1", "S2"])
@@ -147,9 +149,7 @@ def idle_words(
     moves = "moves" if len(joints) == 1 else "move"
     if text is None or not text.direction:
         bodies_move = "moves" if one else "move"
-        return (
-            f"{listed(joints)} {moves}{how}: {moving} {bodies_move}, the platform rests"
-        )
+        return f"{listed(joints)} {moves}{how}: {moving} {bodies_move}{rests}"
     does = _moves(text) if one else _moves(text).replace("s ", " ", 1)
     return f"{listed(joints)} {moves}{how}: {moving} {does}"
 

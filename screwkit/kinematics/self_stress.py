@@ -215,7 +215,10 @@ def _difficulty(vectors: Sequence[Stress], prime: int) -> tuple[int, int, int]:
 
 def _sets_of_limbs(network: Network, joints: Sequence[str]) -> Iterator[set[str]]:
     """Joints of pairs of limbs, of three and so on; at last all joints there are."""
-    limbs = sorted((limb.joints for limb in network.limbs), key=lambda j: by_name(j[0]))
+    limbs = sorted(
+        (limb.joints for limb in network.limbs),
+        key=lambda names: min(map(by_name, names)),
+    )
     for limb in limbs:
         yield set(limb)
     if len(limbs) <= _LIMBS:
