@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import chain, combinations, islice, permutations
 from typing import TypeAlias
 
@@ -188,18 +189,18 @@ def _simplest(
     What adds is free up to what is known; the entries to be cleared are tried in
     several orders.
     """
-    tried: list[tuple[tuple[int, int, int], int, list[Stress]]] = []
-    for axes in permutations(range(3)):
-        for forces_first in (True, False):
+    tried = [
+        complement(space, known, prime, partial(_order, axes, half))
+        for axes in permutations(range(3))
+        for half in (0, 1)
+    ]
+    return min(tried, key=lambda vectors: _difficulty(vectors, prime))[::-1]
 
-            def order(entry: Entry) -> tuple[object, ...]:
-                joint, coordinate = entry
-                half = (coordinate < 3) is not forces_first  # noqa: B023
-                return half, by_name(joint), axes.index(coordinate % 3)  # noqa: B023
 
-            vectors = complement(space, known, prime, order)
-            tried.append((_difficulty(vectors, prime), len(tried), vectors))
-    return min(tried)[2][::-1]
+def _order(axes: Sequence[int], first: int, entry: Entry) -> tuple[object, ...]:
+    """Forces (0) or moments (1) first, joint by joint, axes in this order."""
+    joint, coordinate = entry
+    return coordinate // 3 != first, by_name(joint), axes.index(coordinate % 3)
 
 
 def _difficulty(vectors: Sequence[Stress], prime: int) -> tuple[int, int, int]:

@@ -101,6 +101,22 @@ def test_supports_belong_to_the_mechanism(made: Made, seed: int) -> None:
     assert supports(scrambled(made, seed)) == supports(made)
 
 
+@pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
+def test_files_may_list_joints_in_any_order(path: Path) -> None:
+    network = Network(read_mechanism(path))
+    network = network.at_values or network
+    turned = replace(
+        network.mechanism, joints=tuple(reversed(network.mechanism.joints))
+    )
+    if network.mechanism.geometry == "mdh":
+        return
+    before, after = (
+        sorted(sorted(stress.wrenches) for stress in found(Network(m).motion))
+        for m in (network.mechanism, turned)
+    )
+    assert before == after
+
+
 def kinds(made: Made) -> list[str]:
     motion = Network(made.mechanism).motion
     prime = motion.posture.prime
