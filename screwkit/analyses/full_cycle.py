@@ -1,15 +1,19 @@
 """Whether the instantaneous freedoms integrate to finite motion.
 
 First come exact arguments; where none applies, the branches through the posture are
-sampled, and where samples disagree with each other the question stays open.
-
-References: /* see kinematics.finite_proofs and kinematics.finite_motion */
+sampled, and where samples disagree with each other the question stays open.  Samples
+also say how each branch moves.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
+
+from screwkit.kinematics.finite_motion import FiniteMotion
+from screwkit.kinematics.finite_proofs import proved_mobility
 from screwkit.kinematics.network import Motion, Network
-from screwkit.results.mobility import FullCycle
+from screwkit.kinematics.sampling import sampled_motion
+from screwkit.results.mobility import FullCycle, MotionBranch, Platform
 
 
 def full_cycle(
@@ -22,4 +26,106 @@ def full_cycle(
         at: Its motion at the posture.
         known: The answer at the values of the file, where the rank is the same.
     """
-    return known or FullCycle("undecided", (), "to be done")
+    if network.mechanism.geometry == "mdh" and not network.tied:
+        return _all_closed(network, at)
+    proof = proved_mobility(network, at)
+    if known is not None:
+        sample = None
+    else:
+        sample = sampled_motion(
+            network.mechanism, generic=bool(network.mechanism.parameters)
+        )
+    if proof is not None:
+        branches = known.branches if known is not None else _branches(network, sample)
+        if {branch.mobility for branch in branches} - set(proof.mobility):
+            branches = ()  # a sample that went elsewhere proves nothing
+        return FullCycle("proved", proof.mobility, proof.reason, branches)
+    if known is not None:
+        if known.status == "undecided":
+            return known
+        reason = (
+            f"at the values of the file, where the rank is the same: {known.reason}"
+        )
+        return FullCycle("sampled", known.mobility, reason, known.branches)
+    assert sample is not None
+    return FullCycle(
+        sample.status, sample.mobility, sample.reason, _branches(network, sample)
+    )
+
+
+@dataclass(frozen=True)
+class OnTheMotion:
+    """Ranks on the motion through a posture that is itself special."""
+
+    loop_rank: int
+    platform: Platform
+
+
+def on_the_motion(
+    network: Network, cycle: FullCycle, about: Platform
+) -> OnTheMotion | None:
+    """The generic numbers where loops tie joint variables together.
+
+    None where the posture is as good as any, or its branches differ in rank.  Of
+    branches that move differently the one on which most samples fell is taken.
+    """
+    if not network.tied or not cycle.branches:
+        return None
+    ranks = {branch.loop_rank for branch in cycle.branches}
+    if len(ranks) > 1 or ranks == {network.motion.rank}:
+        return None
+    branch = max(cycle.branches, key=lambda b: b.starts)
+    kind = branch.motion_type
+    translations, rotations = (int(n) for n in kind.removesuffix("R").split("T"))
+    size = len(network.rows)
+    freedom = translations + rotations
+    return OnTheMotion(
+        ranks.pop(),
+        replace(
+            about,
+            twist_dimension=freedom,
+            translations=translations,
+            rotations=rotations,
+            motion_type=kind,
+            wrench_dimension=size - freedom,
+            couples=branch.couples,
+            motion_class=None,
+        ),
+    )
+
+
+def _all_closed(network: Network, at: Motion) -> FullCycle:
+    """Where the object is grasped wherever the limbs are."""
+    if at.rank == len(network.rows) * len(network.loops):
+        reason = (
+            "all joint variables are free and every posture is closed; the closure "
+            "equations are independent, so the motion is finite"
+        )
+    else:
+        reason = (
+            "all joint variables are free and every posture is closed; the rank of the "
+            "closure equations is the same at all postures around a generic one, so "
+            "the motion is finite"
+        )
+    return FullCycle("proved", (at.mobility,), reason)
+
+
+def _branches(
+    network: Network, sample: FiniteMotion | None
+) -> tuple[MotionBranch, ...]:
+    if sample is None:
+        return ()
+    return tuple(
+        MotionBranch(
+            branch.mobility,
+            branch.instantaneous_mobility,
+            branch.loop_rank,
+            len(network.rows) * len(network.loops) - branch.loop_rank,
+            branch.motion_type,
+            branch.couples,
+            branch.motion,
+            branch.starts,
+            branch.modes,
+        )
+        for branch in sample.branches
+    )

@@ -95,6 +95,7 @@ def schema(annotation: Any, definitions: Json) -> Json:
         Any: {},
         str: {"type": "string"},
         int: {"type": "integer"},
+        float: {"type": "number"},
         bool: {"type": "boolean"},
         NoneType: {"type": "null"},
     }
