@@ -28,19 +28,25 @@ class Stance:
         screws: Where the freedoms stand, shape (batch, freedoms, 6).
         gaps: The displacement around each loop, shape (batch, loops, 4, 4); the unit
             where the loop is closed.
-        platform: How far the platform has been displaced, shape (batch, 4, 4).
+        bodies: How far the tracked nodes have been displaced, the platform by default,
+            shape (batch, tracked, 4, 4).
     """
 
     screws: Array
     gaps: Array
-    platform: Array
+    bodies: Array
+
+    @property
+    def platform(self) -> Array:
+        """The displacement of the first tracked body, shape (batch, 4, 4)."""
+        return np.asarray(self.bodies[:, 0])
 
     def __len__(self) -> int:
         return len(self.screws)
 
     def take(self, chosen: Indices | NDArray[np.bool_]) -> Stance:
         """Some of the postures, or some of them several times."""
-        return Stance(self.screws[chosen], self.gaps[chosen], self.platform[chosen])
+        return Stance(self.screws[chosen], self.gaps[chosen], self.bodies[chosen])
 
     def put(self, chosen: Indices | NDArray[np.bool_], other: Stance) -> Stance:
         """The postures with some of them replaced."""
@@ -48,7 +54,7 @@ class Stance:
         for mine, theirs in (
             (self.screws, other.screws),
             (self.gaps, other.gaps),
-            (self.platform, other.platform),
+            (self.bodies, other.bodies),
         ):
             joined = mine.copy()
             joined[chosen] = theirs
@@ -62,7 +68,7 @@ def stance_of(model: PostureModel, forest: Forest, batch: int = 1) -> Stance:
     return Stance(
         np.broadcast_to(model.screws, (batch, *model.screws.shape)).copy(),
         np.broadcast_to(np.eye(4), (batch, loops, 4, 4)).copy(),
-        np.broadcast_to(np.eye(4), (batch, 4, 4)).copy(),
+        np.broadcast_to(np.eye(4), (batch, len(forest.tracked), 4, 4)).copy(),
     )
 
 
@@ -135,8 +141,8 @@ def moved(forest: Forest, stance: Stance, coordinates: Array) -> Stance:
     if len(forest.balls):
         screws = _upright(forest.balls, before, stance.screws, screws)
     gaps = placed[:, far] @ stance.gaps @ inverse(placed[:, near])
-    platform = placed[:, forest.platform[1]] @ stance.platform
-    return Stance(screws, gaps, platform)
+    bodies = placed[:, forest.tracked] @ stance.bodies
+    return Stance(screws, gaps, bodies)
 
 
 def _upright(balls: Indices, before: Array, old: Array, new: Array) -> Array:

@@ -45,6 +45,7 @@ class Forest:
         closing_joints: Names of the joints that close the loops.
         nodes: The node of each link.
         platform: Whether base and platform hang together, and the platform's node.
+        tracked: The nodes whose displacements are kept.
         balls: The first freedom of every ball joint.
     """
 
@@ -56,6 +57,7 @@ class Forest:
     closing_joints: tuple[str, ...]
     nodes: dict[str, int]
     platform: tuple[bool, int]
+    tracked: Indices
     balls: Indices
 
     @property
@@ -111,6 +113,7 @@ def forest_of(model: PostureModel) -> Forest:
         closing_joints=tuple(model.joints[n].name for n in closing),
         nodes=nodes,
         platform=(roots[model.platform] == model.base, nodes[model.platform]),
+        tracked=np.array([nodes[model.platform]], dtype=np.intp),
         balls=np.array(
             [offsets[n] for n, joint in enumerate(model.joints) if joint.ball],
             dtype=np.intp,
