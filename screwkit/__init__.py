@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from screwkit.case import load as load
     from screwkit.questions import analyze as analyze
     from screwkit.questions import mobility as mobility
+    from screwkit.questions import relative_motion as relative_motion
     from screwkit.questions import schemes as schemes
     from screwkit.questions import screws as screws
     from screwkit.questions import singularities as singularities
@@ -23,6 +24,7 @@ _HOMES = {
     "load": "screwkit.case",
     "analyze": "screwkit.questions",
     "mobility": "screwkit.questions",
+    "relative_motion": "screwkit.questions",
     "schemes": "screwkit.questions",
     "screws": "screwkit.questions",
     "singularities": "screwkit.questions",
@@ -34,6 +36,7 @@ __all__ = [
     "bundled_cases",
     "load",
     "mobility",
+    "relative_motion",
     "schemes",
     "screws",
     "singularities",

@@ -12,7 +12,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from screwkit.algebra.expression import Number
+from screwkit.algebra.expression import Expression, Number
 from screwkit.algebra.names import did_you_mean
 from screwkit.algebra.parse import parse
 from screwkit.errors import ExpressionError, UnknownCaseError, UnknownNameError
@@ -30,6 +30,7 @@ from screwkit.mechanism.variants import at_variant
 if TYPE_CHECKING:
     from screwkit.analyses.limb_view import LimbView
     from screwkit.kinematics.assembly import Assembly
+    from screwkit.kinematics.network import Network
 
 
 class Case:
@@ -37,10 +38,15 @@ class Case:
 
     Attributes:
         mechanism: What the file declares.
+        wanted: Values of joint variables that loops tie together; the mechanism has
+            still to be moved there.
     """
 
-    def __init__(self, mechanism: Mechanism) -> None:
+    def __init__(
+        self, mechanism: Mechanism, wanted: Mapping[str, Expression] | None = None
+    ) -> None:
         self.mechanism = mechanism
+        self.wanted = dict(wanted or {})
 
     def __repr__(self) -> str:
         return f"<screwkit case {self.mechanism.name!r}>"
@@ -72,6 +78,13 @@ class Case:
         return Assembly(self.mechanism)
 
     @cached_property
+    def network(self) -> Network:
+        """The mechanism as a graph of bodies and freedoms."""
+        from screwkit.kinematics.network import Network  # noqa: PLC0415
+
+        return Network(self.mechanism)
+
+    @cached_property
     def limbs(self) -> tuple[LimbView, ...]:
         """The limbs, with their twist and wrench systems on demand.
 
@@ -88,6 +101,7 @@ def load(
     set_values: Mapping[str, object] | None = None,
     actuated: Sequence[str] | None = None,
     variant: str | None = None,
+    at: Mapping[str, object] | None = None,
 ) -> Case:
     """Read a mechanism file, or a bundled case by its name.
 
@@ -98,6 +112,9 @@ def load(
         actuated: Replaces the declared scheme; freedoms as in the file format.
         variant: One of the variants that the file declares; its values replace the
             file's, its claims too, and ``set_values`` act on top of it.
+        at: Values of joint variables, and of the symbols that describe a posture.
+            Where loops tie joint variables together, the mechanism is moved there from
+            the posture of the file when a question is asked.
 
     Raises:
         UnknownCaseError: If there is no such file and no such bundled case.
@@ -115,7 +132,10 @@ def load(
         mechanism = _with_numbers(mechanism, set_values)
     if actuated is not None:
         mechanism = _with_actuated(mechanism, actuated)
-    return Case(mechanism)
+    wanted: dict[str, Expression] = {}
+    if at:
+        mechanism, wanted = placed_at(mechanism, at)
+    return Case(mechanism, wanted)
 
 
 def found(source: str | Path) -> tuple[Path, str | None]:
@@ -221,3 +241,28 @@ def _driven(joint: Joint, actuated: frozenset[str]) -> Joint:
         if freedom_label(joint, index) in actuated
     )
     return replace(joint, actuated=driven)
+
+
+def placed_at(
+    mechanism: Mechanism, values: Mapping[str, object]
+) -> tuple[Mechanism, dict[str, Expression]]:
+    """The mechanism at a posture, and the values to which it has still to be moved.
+
+    Raises:
+        UnknownNameError: If a name is neither a joint variable nor a symbol.
+        ExpressionError: If a value is no constant expression.
+    """
+    from screwkit.kinematics.placement import why_tied  # noqa: PLC0415
+    from screwkit.kinematics.values import with_values  # noqa: PLC0415
+
+    joints = set(mechanism.joint_variables)
+    known = {p.name for p in mechanism.parameters} | joints
+    held, wanted = {}, {}
+    moves = mechanism.geometry == "posture" or bool(why_tied(mechanism))
+    for name, value in values.items():
+        if name not in known:
+            hint = did_you_mean(name, known)
+            raise UnknownNameError(f"no symbol {name!r} in {mechanism.name}{hint}")
+        target = wanted if name in joints and moves else held
+        target[name] = parse(str(value), ())
+    return with_values(mechanism, held), wanted

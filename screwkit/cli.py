@@ -18,19 +18,21 @@ from screwkit.options import (
     Actuated,
     AsJson,
     At,
+    Body,
     CaseName,
     Every,
     Format,
     Memory,
     Order,
     Quiet,
+    RelativeTo,
     Setting,
     Timeout,
     Variant,
     Which,
 )
+from screwkit.requests import DEBUG, names_in, request_of
 
-_DEBUG = "--debug"
 _EXAMPLE = """Mobility, singularities and actuation of mechanisms, derived exactly.
 
 \b
@@ -52,55 +54,6 @@ app = typer.Typer(
     no_args_is_help=True,
     help=_EXAMPLE,
 )
-
-
-def _request(question: str, given: dict[str, Any], **options: Any) -> Any:
-    """The request of a command from its parameters.
-
-    Args:
-        question: What is asked.
-        given: ``locals()`` at the top of the command.
-        options: Keyword arguments of the analysis; None is left out.
-    """
-    from screwkit.terminal import Request  # noqa: PLC0415
-    from screwkit.worker import Job  # noqa: PLC0415
-
-    if given["at"]:
-        raise typer.BadParameter(
-            f"--at comes with posture results; {question} holds for every posture"
-        )
-    memory, actuated = given["memory"], given["actuated"]
-    job = Job(
-        question=question,
-        case=_named(given["case"], given["variant"]),
-        set_values=dict(_setting(text) for text in given["set_values"] or ()),
-        actuated=None if actuated is None else _names(actuated),
-        options={name: value for name, value in options.items() if value is not None},
-        memory=None if memory is None else int(memory * 2**30),
-    )
-    return Request(
-        job,
-        given["as_json"],
-        given["timeout"],
-        given["quiet"],
-        debug=_DEBUG in sys.argv,
-    )
-
-
-def _named(case: str, variant: str | None) -> str:
-    """The case, with its variant as `screwkit.load` takes it in one word."""
-    return case if variant is None else f"{case}#{variant}"
-
-
-def _setting(text: str) -> tuple[str, str]:
-    name, sign, value = text.partition("=")
-    if not sign or not name.strip() or not value.strip():
-        raise typer.BadParameter(f"--set {text!r} is not NAME=VALUE")
-    return name.strip(), value.strip()
-
-
-def _names(text: str) -> tuple[str, ...]:
-    return tuple(name.strip() for name in text.split(",") if name.strip())
 
 
 def _answer(request: Any) -> NoReturn:
@@ -128,7 +81,7 @@ def check(
     from screwkit.catalogue import check_case  # noqa: PLC0415
 
     # The same options as everywhere; reading a file needs no deadline.
-    job = _request("check", {**locals(), "memory": None}).job
+    job = request_of("check", {**locals(), "memory": None}).job
     changes = {"set_values": job.set_values, "actuated": job.actuated}
     raise typer.Exit(check_case(job.case, changes, as_json=as_json, quiet=quiet))
 
@@ -150,7 +103,7 @@ def mobility(
 
     Example: screwkit mobility bennett
     """
-    _answer(_request("mobility", locals()))
+    _answer(request_of("mobility", locals()))
 
 
 @app.command()
@@ -160,6 +113,8 @@ def screws(
     order: Annotated[
         Order, typer.Option(help="linear prints (v; ω) and (m; f).")
     ] = Order.DIRECTION,
+    body: Body = None,
+    relative_to: RelativeTo = None,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -171,9 +126,16 @@ def screws(
 ) -> None:
     """Twist and wrench systems of limbs and platform, actuation wrenches.
 
+    With --body those of any body relative to any other.
+
     Example: screwkit screws nao_t14 --order linear
     """
-    request = _request("screws", locals())
+    given = locals()
+    if body is not None or relative_to is not None:
+        options = {"body": body or "", "relative_to": relative_to or ""}
+        options["order"] = "linear" if order is Order.LINEAR else "angular"
+        _answer(request_of("relative_motion", given, **options))
+    request = request_of("screws", given)
     if order is Order.LINEAR:
         from dataclasses import replace  # noqa: PLC0415
 
@@ -201,7 +163,7 @@ def singularities(
 
     Example: screwkit singularities nao_t14 --actuated 1,2,3,7
     """
-    request = _request("singularities", locals())
+    request = request_of("singularities", locals())
     if every:
         from dataclasses import replace  # noqa: PLC0415
 
@@ -242,11 +204,11 @@ def schemes(
 
     Example: screwkit schemes nao_t14 --size 5 --candidates 1,2,3,6,7,8 --all
     """
-    request = _request(
+    request = request_of(
         "schemes",
         locals(),
         size=size,
-        candidates=None if candidates is None else list(_names(candidates)),
+        candidates=None if candidates is None else list(names_in(candidates)),
     )
     from dataclasses import replace  # noqa: PLC0415
 
@@ -279,7 +241,7 @@ def analyze(
 
     Example: screwkit analyze nao_t14 --json
     """
-    _answer(_request("analyze", locals()))
+    _answer(request_of("analyze", locals()))
 
 
 @app.command()
@@ -305,7 +267,7 @@ def report(
 
     Example: screwkit report nao_t14 --format pdf -o report.pdf
     """
-    request = _request("analyze", locals())
+    request = request_of("analyze", locals())
     from dataclasses import replace  # noqa: PLC0415
 
     from screwkit.delivery import deliver_report  # noqa: PLC0415
@@ -344,7 +306,7 @@ def doctor(*, as_json: AsJson = False) -> None:
 def main(arguments: list[str] | None = None) -> NoReturn:
     """Run the command line and leave with its exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    sys.exit(_run([word for word in words if word != _DEBUG], debug=_DEBUG in words))
+    sys.exit(_run([word for word in words if word != DEBUG], debug=DEBUG in words))
 
 
 def _run(words: list[str], *, debug: bool) -> int:

@@ -57,5 +57,13 @@ Memory = Annotated[
 Every = Annotated[bool, typer.Option("--all", help="Print lists in full.")]
 At = Annotated[
     list[str] | None,
-    typer.Option(metavar="NAME=VALUE", help="Posture, for posture results."),
+    typer.Option(metavar="NAME=VALUE", help="Posture: joint variables and symbols."),
+]
+Body = Annotated[
+    str | None,
+    typer.Option(metavar="LINK", help="The twists of this body instead."),
+]
+RelativeTo = Annotated[
+    str | None,
+    typer.Option(metavar="LINK", help="Relative to this body; the base by default."),
 ]

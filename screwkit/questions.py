@@ -15,18 +15,15 @@ from screwkit.progress import Progress, silent
 from screwkit.results.analysis import Analysis, Undecided
 from screwkit.results.mobility import Mobility, MotionCase
 from screwkit.results.schemes import Schemes
-from screwkit.results.screws import Screws
+from screwkit.results.screws import RelativeMotion, Screws
 from screwkit.results.singularities import Singularities
 
 
 def mobility(case: Case, progress: Progress = silent) -> Mobility:
     """How movable the mechanism is, by every count, and why they differ."""
     from screwkit.analyses import mobility as analysis  # noqa: PLC0415
-    from screwkit.kinematics.network import Network  # noqa: PLC0415
 
-    return analysis.mobility(
-        Network(case.mechanism), _motion_cases(case), progress=progress
-    )
+    return analysis.mobility(case.network, _motion_cases(case), progress=progress)
 
 
 def _motion_cases(case: Case) -> Callable[[str], tuple[MotionCase, ...]] | None:
@@ -51,6 +48,23 @@ def screws(case: Case, order: str = "angular", progress: Progress = silent) -> S
     from screwkit.analyses import screws as analysis  # noqa: PLC0415
 
     return analysis.screws(case.assembly, order=order, progress=progress)
+
+
+def relative_motion(
+    case: Case, body: str = "", relative_to: str = "", order: str = "angular"
+) -> RelativeMotion:
+    """The twist system of any body relative to any other.
+
+    Args:
+        case: The mechanism.
+        body: A link; the platform by default.
+        relative_to: Another; the base by default.
+        order: ``angular``: (ω; v); ``linear``: (v; ω).
+    """
+    from screwkit.analyses import relative as analysis  # noqa: PLC0415
+
+    link = body or case.mechanism.platform
+    return analysis.relative_motion(case.network, link, relative_to, order)
 
 
 def singularities(case: Case, progress: Progress = silent) -> Singularities:

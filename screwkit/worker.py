@@ -19,6 +19,7 @@ from typing import IO, Any, Final
 
 TARGETS: Final = {
     "mobility": "screwkit.questions:mobility",
+    "relative_motion": "screwkit.questions:relative_motion",
     "screws": "screwkit.questions:screws",
     "singularities": "screwkit.questions:singularities",
     "schemes": "screwkit.questions:schemes",
@@ -31,6 +32,8 @@ class Job:
     """What is to be computed.
 
     Attributes:
+        variant: One of the variants of the case.
+        at: Values of joint variables and free symbols, as texts.
         target: ``module:function`` called with the case; the question's own if empty.
         options: Keyword arguments of the function.
         memory: Bytes of address space that the child may use; None for no limit.
@@ -43,6 +46,8 @@ class Job:
     options: Mapping[str, Any] = field(default_factory=dict)
     memory: int | None = None
     target: str = ""
+    variant: str | None = None
+    at: Mapping[str, str] = field(default_factory=dict)
 
     def to_line(self) -> str:
         """The job as one line of JSON."""
@@ -137,7 +142,13 @@ def _load(job: Job) -> Any:
         return None
     from screwkit.case import load  # noqa: PLC0415
 
-    return load(job.case, set_values=dict(job.set_values), actuated=job.actuated)
+    return load(
+        job.case,
+        set_values=dict(job.set_values),
+        actuated=job.actuated,
+        variant=job.variant,
+        at=dict(job.at),
+    )
 
 
 def _limit_memory(limit: int | None) -> None:

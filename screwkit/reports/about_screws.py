@@ -18,7 +18,12 @@ from screwkit.reports.blocks import (
     words,
 )
 from screwkit.reports.phrases import counted, listed, tuple_of
-from screwkit.results.screws import ActuationWrench, IdentifiedScrew, Screws
+from screwkit.results.screws import (
+    ActuationWrench,
+    IdentifiedScrew,
+    RelativeMotion,
+    Screws,
+)
 
 LINEAR = "moment-direction"
 _ONE_LINE = 76
@@ -54,13 +59,29 @@ def screws_blocks(answer: Screws) -> tuple[Block, ...]:
     return tuple(blocks)
 
 
+def relative_blocks(answer: RelativeMotion) -> tuple[Block, ...]:
+    """The twists of one body relative to another."""
+    blocks: list[Block] = [
+        Heading(
+            words(f"{answer.body} relative to {answer.relative_to}"),
+            1,
+            words(dimensions(answer.twist_dimension, answer.wrench_dimension)),
+        )
+    ]
+    if answer.motion_class is not None:
+        blocks.append(Paragraph(prose(answer.motion_class.description), 1))
+    blocks.append(Paragraph(words(convention(answer)), 1))
+    blocks += screw_listings(answer.twists, answer.wrenches, answer.order)
+    return tuple(blocks)
+
+
 def dimensions(twists: int, wrenches: int) -> str:
     """The two dimensions of a system and its reciprocal."""
     constraints = counted(wrenches, "constraint wrench", "constraint wrenches")
     return f"{counted(twists, 'freedom')}, {constraints}"
 
 
-def convention(answer: Screws) -> str:
+def convention(answer: Screws | RelativeMotion) -> str:
     """Order, frame and point, said before any coordinate."""
     twist, wrench = (
         ("(v; ω)", "(m; f)") if answer.order == LINEAR else ("(ω; v)", "(f; m)")

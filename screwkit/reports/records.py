@@ -18,7 +18,7 @@ from screwkit.reports.wire import Json, decode, encode, schema
 from screwkit.results.analysis import Analysis, Description, Undecided
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
-from screwkit.results.screws import Screws
+from screwkit.results.screws import RelativeMotion, Screws
 from screwkit.results.singularities import (
     ActuationSingularities,
     ConstraintSingularities,
@@ -26,11 +26,14 @@ from screwkit.results.singularities import (
     Singularities,
 )
 
-Result: TypeAlias = Mobility | Screws | Singularities | Schemes | Analysis | Undecided
+Result: TypeAlias = (
+    Mobility | Screws | RelativeMotion | Singularities | Schemes | Analysis | Undecided
+)
 
 QUESTIONS: Final[dict[str, type]] = {
     "mobility": Mobility,
     "screws": Screws,
+    "relative_motion": RelativeMotion,
     "singularities": Singularities,
     "schemes": Schemes,
     "analyze": Analysis,

@@ -14,7 +14,7 @@ from typing import Any
 
 from screwkit.reports.about_mobility import mobility_blocks, topology_line
 from screwkit.reports.about_schemes import schemes_blocks
-from screwkit.reports.about_screws import screws_blocks
+from screwkit.reports.about_screws import relative_blocks, screws_blocks
 from screwkit.reports.about_singularities import (
     actuation_part,
     constraint_part,
@@ -39,7 +39,7 @@ from screwkit.reports.notation import is_mathematics
 from screwkit.results.analysis import Analysis, ClaimCheck, Description, Undecided
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
-from screwkit.results.screws import Screws
+from screwkit.results.screws import RelativeMotion, Screws
 from screwkit.results.singularities import (
     ActuationSingularities,
     ConstraintSingularities,
@@ -107,6 +107,11 @@ def _(result: Mobility) -> tuple[Block, ...]:
 @blocks.register
 def _(result: Screws) -> tuple[Block, ...]:
     return screws_blocks(result)
+
+
+@blocks.register
+def _(result: RelativeMotion) -> tuple[Block, ...]:
+    return relative_blocks(result)
 
 
 @blocks.register

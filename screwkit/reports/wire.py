@@ -20,6 +20,7 @@ from screwkit.results.screws import (
     IdentifiedScrew,
     LimbScrews,
     PlatformScrews,
+    RelativeMotion,
 )
 
 Json: TypeAlias = dict[str, Any]
@@ -224,6 +225,7 @@ _TWISTS: Final = _Shape(_twists_apart, _twists_together, _twists_described)
 _SHAPES: Final[dict[type, _Shape]] = {
     LimbScrews: _TWISTS,
     PlatformScrews: _TWISTS,
+    RelativeMotion: _TWISTS,
     ActuationWrench: _Shape(_wrench_flat, _wrench_nested, _wrench_described),
     Mobility: _Shape(_values_optional, _same, _same),
 }
