@@ -2,8 +2,6 @@
 
 Enough to follow a motion from its posture: products, reciprocals and the arc tangent
 that a helix needs.  Coefficients are exact, so that one that is not zero is not zero.
-
-References: [vonzurGathenGerhard2013] §9.1 (Newton iteration for reciprocals).
 """
 
 from __future__ import annotations

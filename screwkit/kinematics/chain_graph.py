@@ -5,7 +5,7 @@ its freedoms.  Freedoms may share a parameter and edges may stand for motions th
 joint has; what is proved of such a graph, `closing_groups` brings back to the
 mechanism.
 
-References: [Hunt1978], [Diestel2017] §1.9 (cycle space), §3.1 (blocks).
+References: [Hunt1978].
 """
 
 from __future__ import annotations
@@ -24,6 +24,9 @@ Cycle: TypeAlias = tuple[tuple[int, int], ...]
 """Numbers of edges with +1 or −1 for the direction, in the order of the walk."""
 
 _STEPS = 4000
+
+INNER = "after "
+"""Begins the name of a body between two freedoms of a joint."""
 
 
 @dataclass(frozen=True)
@@ -231,7 +234,7 @@ def chain_graph(motion: Motion) -> ChainGraph:
         here = joint.parent
         for number, label in enumerate(labels, start=1):
             last = number == len(labels)
-            there = joint.child if last else f"after {label}"
+            there = joint.child if last else f"{INNER}{label}"
             screw = () if label in motion.locked else posture.twists.get(label, ())
             edges.append(Edge(label, here, there, tuple(screw), len(edges)))
             here = there

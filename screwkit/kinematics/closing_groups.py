@@ -5,9 +5,10 @@ loop equations have the rank Σ dᵢ, they are a submersion and the closed postu
 manifold.  Two devices make more loops close in small groups: joints that turn by equal
 or opposite angles are tied to one parameter, and a body whose twists form an algebra is
 also led there by a virtual joint of that group.  Either leaves a subfamily; if its
-dimension is the instantaneous mobility, it is all there is.
+dimension is the instantaneous mobility, it is all there is.  A short loop that closes
+identically along its own motion counts with its rank.
 
-References: [Hervé1999], [RicoRavani2003] (kinematic chains and subalgebras).
+References: [Herve1999], [RicoRavani2003] (kinematic chains and subalgebras).
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from screwkit.kinematics.chain_graph import (
     independent_cycles,
     with_parameters,
 )
+from screwkit.kinematics.higher_order import continuation
 from screwkit.kinematics.lie_closure import (
     ResidueScrew,
     Span,
@@ -32,8 +34,11 @@ from screwkit.kinematics.lie_closure import (
 
 MOST_CYCLES = 120
 MOST_VIRTUAL = 8
+LONGEST = 6
+"""Freedoms up to which a single loop is followed along its own motion."""
+
 LARGEST_BLOCK = 80
-"""Freedoms up to which subfamilies are tried."""
+"""Freedoms up to which subfamilies and all short loops are tried."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +50,10 @@ class Closing:
         basis: Loops.
         dimensions: dᵢ of each loop of the basis.
         virtual: Pairs of bodies joined by a virtual joint.
-        tied: Whether joints are tied, or held because they do not move.
+        tied: Whether joints are tied to each other.
+        held: Whether joints that do not move are held.
+        followed: Orders through which loops of the basis were followed whose dᵢ is
+            their rank, because they close identically along their own motions.
     """
 
     graph: ChainGraph
@@ -53,6 +61,8 @@ class Closing:
     dimensions: tuple[int, ...]
     virtual: tuple[tuple[str, str], ...] = ()
     tied: bool = False
+    held: bool = False
+    followed: tuple[int, ...] = ()
 
     @property
     def deficit(self) -> int:
@@ -66,14 +76,17 @@ class _Search:
     Attributes:
         graph: The family without virtual joints.
         ends: Bodies between which a virtual joint is tried in any case.
-        tied: Whether the family is less than the whole.
+        follow: Whether short loops are followed along their own motion.
     """
 
-    def __init__(self, graph: ChainGraph, ends: Sequence[str], tied: bool) -> None:
-        self.graph, self.ends, self.tied = graph, ends, tied
+    def __init__(
+        self, graph: ChainGraph, ends: Sequence[str], follow: bool = False
+    ) -> None:
+        self.graph, self.ends, self.follow = graph, ends, follow
         self._twists = graph.body_twists()
         self._dimensions: dict[tuple[str, ...], int] = {}
         self._systems: dict[tuple[str, str], Sequence[ResidueScrew] | None] = {}
+        self._followed: dict[tuple[str, ...], int] = {}
 
     def best(self) -> Closing:
         """Virtual joints are added as long as one makes loops close in less."""
@@ -103,7 +116,9 @@ class _Search:
         ordered = sorted(cycles, key=lambda c: (self._dimension(graph, c), len(c)))
         basis = independent_cycles(graph, ordered, len(graph.fundamental_cycles))
         dimensions = tuple(self._dimension(graph, c) for c in basis)
-        return Closing(graph, tuple(basis), dimensions, virtual, self.tied)
+        orders = (self._followed.get(_names(graph, cycle)) for cycle in basis)
+        followed = tuple(order for order in orders if order is not None)
+        return Closing(graph, tuple(basis), dimensions, virtual, followed=followed)
 
     def _split(self, closing: Closing) -> tuple[str, str] | None:
         """The two bodies of a loop whose virtual joint saves most equations.
@@ -134,12 +149,23 @@ class _Search:
         return chosen
 
     def _dimension(self, graph: ChainGraph, cycle: Cycle) -> int:
-        # A cycle may use a virtual joint, whose name tells the bodies that it joins.
-        key = tuple(sorted(graph.edges[number].name for number, _ in cycle))
+        key = _names(graph, cycle)
         if key not in self._dimensions:
-            algebra = loop_algebra(graph.word(cycle), graph.prime)
-            self._dimensions[key] = len(algebra)
+            dimension = len(loop_algebra(graph.word(cycle), graph.prime))
+            self._dimensions[key] = dimension
+            if self.follow:
+                self._follow(graph, cycle)
         return self._dimensions[key]
+
+    def _follow(self, graph: ChainGraph, cycle: Cycle) -> None:
+        """Count a loop with its rank if it is one like Bennett's, which closes so."""
+        key, word = _names(graph, cycle), graph.word(cycle)
+        alone = with_parameters((graph.edges[n] for n, _ in cycle), graph.prime)
+        if alone.rank < self._dimensions[key] and alone.width == len(word) <= LONGEST:
+            found = continuation(alone)
+            if found.fails_at is None and found.identical:
+                self._dimensions[key] = alone.rank
+                self._followed[key] = found.checked
 
     def _system(self, one: str, other: str) -> Sequence[ResidueScrew] | None:
         """Relative twists of two bodies, where they are an algebra below se(3)."""
@@ -162,6 +188,11 @@ class _Search:
         return system
 
 
+def _names(graph: ChainGraph, cycle: Cycle) -> tuple[str, ...]:
+    """Tells a cycle in all graphs of a search; virtual joints are named by bodies."""
+    return tuple(sorted(graph.edges[number].name for number, _ in cycle))
+
+
 def smooth_family(graph: ChainGraph, ends: Sequence[str]) -> Closing | None:
     """A family of closed postures proved smooth, of the full instantaneous mobility.
 
@@ -170,12 +201,14 @@ def smooth_family(graph: ChainGraph, ends: Sequence[str]) -> Closing | None:
         ends: Base and platform, which are tried as ends of a virtual joint.
     """
     if graph.width > LARGEST_BLOCK:
-        return None
-    for family in _families(graph):
-        closing = _Search(family, ends, family is not graph).best()
+        closing = all_postures(graph)
+        return None if closing.deficit else closing
+    for family, tied, held in _families(graph):
+        closing = _Search(family, ends).best()
         if not closing.deficit and closing.graph.mobility == graph.mobility:
-            return closing
-    return None
+            return replace(closing, tied=tied, held=held)
+    closing = _Search(graph, ends, follow=True).best()
+    return None if closing.deficit else closing
 
 
 def all_postures(graph: ChainGraph) -> Closing:
@@ -183,7 +216,11 @@ def all_postures(graph: ChainGraph) -> Closing:
 
     The deficit is the number of equations that second and higher orders can add.
     """
-    return _Search(graph, (), tied=False).plain()
+    if graph.width <= LARGEST_BLOCK:
+        return _Search(graph, (), follow=True).plain()
+    basis = graph.fundamental_cycles
+    algebras = [loop_algebra(graph.word(cycle), graph.prime) for cycle in basis]
+    return Closing(graph, basis, tuple(map(len, algebras)))
 
 
 def _joined(
@@ -201,8 +238,11 @@ def _joined(
     return ChainGraph(tuple(edges), graph.width + len(system), graph.prime)
 
 
-def _families(graph: ChainGraph) -> Iterator[ChainGraph]:
-    """The graph and subfamilies with the same rates at the posture, without repeats."""
+def _families(graph: ChainGraph) -> Iterator[tuple[ChainGraph, bool, bool]]:
+    """The graph and subfamilies with the same rates at the posture, without repeats.
+
+    With each whether joints are tied in it, and whether joints are held.
+    """
     groups = _tied_groups(graph)
     still = frozenset(range(graph.width)) - {p for r in graph.rates for p in r}
     closing = _ties_that_close(graph, groups)
@@ -212,7 +252,8 @@ def _families(graph: ChainGraph) -> Iterator[ChainGraph]:
             key = (tuple(sorted(map(tuple, ties))), held)
             if key not in seen:
                 seen.add(key)
-                yield graph if not ties and not held else _tied(graph, ties, held)
+                family = _tied(graph, ties, held) if ties or held else graph
+                yield family, bool(ties), bool(held)
 
 
 def _tied_groups(graph: ChainGraph) -> list[dict[int, int]]:

@@ -6,7 +6,7 @@ higher orders that the rates lead nowhere.  Parts of the mechanism whose loops s
 joint are taken one by one.  Ranks are exact modulo two primes; where no argument
 applies nothing is claimed.
 
-References: [Hervé1999], [RicoRavani2003], [ConnellyWhiteley1996].
+References: [Herve1999], [RicoRavani2003], [ConnellyWhiteley1996].
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from screwkit.kinematics.chain_graph import ChainGraph, chain_graph
+from screwkit.kinematics.chain_graph import INNER, ChainGraph, chain_graph
 from screwkit.kinematics.closing_groups import (
     Closing,
     all_postures,
@@ -28,12 +28,13 @@ from screwkit.kinematics.higher_order import (
 )
 from screwkit.kinematics.network import Motion, Network, motion
 from screwkit.kinematics.real_forms import (
+    Matrix,
     definite_combination,
     indefinite,
     real_forms,
 )
 
-LARGEST_FOR_ORDERS = 120
+LARGEST_FOR_ORDERS = 60
 """Freedoms of a block up to which higher orders are computed."""
 
 LARGEST_FORM = 14
@@ -87,7 +88,7 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
         return whole
     blocks = graph.blocks()
     postures = at.posture, twin.posture
-    dimension = graph.width - sum(block.width for block in blocks)
+    dimension = free = graph.width - sum(block.width for block in blocks)
     reasons: dict[str, int] = {}
     for block, other in zip(blocks, chain_graph(twin).blocks(), strict=True):
         proof = _of_first_order(block, equations)
@@ -105,6 +106,8 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
     )
     if len(blocks) > 1:
         told = f"the loops fall into {len(blocks)} parts that share no joint: {told}"
+    if free:
+        told += f"; joints on no loop add {free}"
     return Proof((dimension,), told)
 
 
@@ -181,8 +184,7 @@ def _of_higher_order(
             return None
         return Proof(
             (block.mobility,),
-            f"along the motion the loops close through order {followed.checked}, and "
-            f"equations of their degrees that hold so far hold identically, "
+            f"{_IDENTICAL.format('the loops close', followed.checked)}, "
             f"{_smooth(block.mobility)}",
         )
     if block.mobility == 1:
@@ -191,15 +193,17 @@ def _of_higher_order(
             f"the one motion that first order allows opens a loop at order "
             f"{followed.fails_at}: the posture is isolated, the structure shaky",
         )
-    if _second_order(block) == 0:
+    if block.mobility > LARGEST_FORM:
+        return None
+    forms = second_order_forms(block)
+    if not cone_dimension(forms, block.mobility, block.prime):
         return Proof((0,), _SHAKY)
-    return _of_real_forms(blocks, postures)
+    twins = second_order_forms(blocks[1])
+    real = real_forms(postures, (forms, twins)) if forms else None
+    return None if real is None else _of_real_forms(block, real)
 
 
-def _of_real_forms(
-    blocks: tuple[ChainGraph, ChainGraph],
-    postures: tuple[ExactPosture, ExactPosture],
-) -> Proof | None:
+def _of_real_forms(block: ChainGraph, real: Sequence[Matrix]) -> Proof | None:
     """By the signs of the second-order conditions, where the geometry is in numbers.
 
     A definite combination leaves no rates.  If one equation f = 0 alone is left beyond
@@ -207,13 +211,6 @@ def _of_real_forms(
     coordinates (the splitting lemma), and the solutions y² = x² + g(z) have dimension
     m − 1 wherever they are, since a larger |x| leads away from every edge.
     """
-    block = blocks[0]
-    if block.mobility > LARGEST_FORM:
-        return None
-    forms = second_order_forms(block), second_order_forms(blocks[1])
-    real = real_forms(postures, forms) if forms[0] else None
-    if real is None:
-        return None
     if definite_combination(real):
         return Proof((0,), _SHAKY)
     if len(real) != 1 or not indefinite(real[0]) or all_postures(block).deficit != 1:
@@ -230,6 +227,11 @@ def _of_real_forms(
         f"joint rates, and its second-order part takes both signs: {where}",
     )
 
+
+_IDENTICAL = (
+    "along the motion {} through order {}, and equations of such degrees that hold so "
+    "far hold identically"
+)
 
 _SHAKY = (
     "no joint rates keep the loops closed to second order: the posture is isolated, "
@@ -253,23 +255,47 @@ def _has_contact(network: Network, block: ChainGraph) -> bool:
 def _in_words(closing: Closing, mobility: int) -> str:
     said = []
     if closing.tied:
-        said.append(
-            "with parallel joints kept at equal or opposite angles, and joints at rest "
-            "held"
-        )
+        said.append("with parallel joints kept at equal or opposite angles")
+    if closing.held:
+        said.append("with the joints that are at rest held")
     if closing.virtual:
+        pairs = [f"{_body(b)} relative to {_body(a)}" for a, b in closing.virtual]
+        said.append(f"with {_listed(pairs)} guided in the group of its motions")
+    if closing.followed and len(closing.basis) == 1:
+        said.append(_IDENTICAL.format("the loop closes", closing.followed[0]))
+        return f"{', '.join(said)}, {_smooth(mobility)}"
+    if closing.followed:
+        orders = _listed([str(order) for order in closing.followed])
+        which = "one loop closes" if len(closing.followed) == 1 else "some loops close"
+        said.append(_IDENTICAL.format(which, orders))
         said.append(
-            f"with {_listed([f'{b} led relative to {a}' for a, b in closing.virtual])} "
-            f"by the group of its motions"
+            f"with these the loops leave {_listed(list(map(str, closing.dimensions)))} "
+            f"equations, all of them independent"
         )
-    loops = "the loop closes" if len(closing.basis) == 1 else "the loops close"
-    groups = _listed([str(d) for d in closing.dimensions])
-    many = "groups" if len(closing.basis) > 1 else "a group"
-    said.append(
-        f"{loops} in {many} of dimension {groups}, and these "
-        f"{sum(closing.dimensions)} equations are independent"
-    )
+        return f"{', '.join(said)}, {_smooth(mobility)}"
+    free = closing.dimensions.count(0)
+    groups = [str(d) for d in closing.dimensions if d]
+    if free:
+        loops = "a loop closes" if free == 1 else f"{free} loops close"
+        said.append(f"{loops} identically")
+    rest = "the others" if free else "the loops"
+    if len(groups) > 3 and len(set(groups)) == 1:
+        said.append(f"{len(groups)} loops close in groups of dimension {groups[0]}")
+    elif len(groups) > 1:
+        said.append(f"{rest} close in groups of dimension {_listed(groups)}")
+    elif groups:
+        rest = "one more" if free else "the loop"
+        said.append(f"{rest} closes in a group of dimension {groups[0]}")
+    if groups:
+        total = sum(closing.dimensions)
+        said.append(f"where their {total} equations are independent")
     return f"{', '.join(said)}, {_smooth(mobility)}"
+
+
+def _body(name: str) -> str:
+    """A body, or what is between two freedoms of a joint."""
+    inner = name.startswith(INNER)
+    return f"what follows {name.removeprefix(INNER)}" if inner else name
 
 
 def _smooth(mobility: int) -> str:

@@ -28,7 +28,7 @@ Form: TypeAlias = tuple[tuple[int, ...], ...]
 
 MOST_VARIABLES = 6
 FIRST_ORDERS = 8
-LONGEST_SERIES = 4000
+LONGEST_SERIES = 5040
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ chain's screws under the bracket, however far the joints move.  Where joints are
 together, the twists at random joint values span less, and their closure is the smallest
 algebra that counts.
 
-References: [Hervé1999], [MurrayLiSastry1994] App. A.
+References: [Herve1999], [MurrayLiSastry1994] App. A.
 """
 
 from __future__ import annotations

@@ -5,8 +5,7 @@ joint parameters are series modulo a prime.  The first order at which another eq
 fails on the curve proves that the curve is no motion.  If none fails up to the number
 of points in which the curve could meet the equation at all, all hold identically.
 
-References: [Shafarevich2013] §4.1 (intersection numbers), [Chen2011] (higher-order
-analysis of kinematotropic and shaky linkages).
+References: [Shafarevich2013] ch. 4 §1 (intersection numbers).
 """
 
 from __future__ import annotations

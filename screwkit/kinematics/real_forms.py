@@ -5,7 +5,7 @@ Its eigenvalues are then computed in floating point and count only where they ex
 rounding errors by far, so that a sign that is given is the true one.  Where the
 geometry has free symbols there are no numbers, and nothing is claimed.
 
-References: [ConnellyWhiteley1996] (prestress stability), [GolubVanLoan2013] §8.1.
+References: [ConnellyWhiteley1996] (prestress stability).
 """
 
 from __future__ import annotations
