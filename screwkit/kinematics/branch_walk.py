@@ -16,14 +16,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from screwkit.algebra.batch import Array
-from screwkit.kinematics.exponentials import Stance, body_jacobian
+from screwkit.kinematics.exponentials import Stance, body_jacobian, loop_jacobian
 from screwkit.kinematics.local_dimension import Kernel
 from screwkit.kinematics.loop_split import (
     CUT,
     Reduced,
     Split,
     reduced,
-    split_at,
     stacked_splits,
     turned,
 )
@@ -100,7 +99,10 @@ def walk(
         good &= _same_branch(parts.tangents, there.tangents)
         good &= (twist_systems(forest, landed, there.tangents) == types).all(axis=1)
         stance = stance.put(good, landed.take(good))
-        parts = reduced(forest, stance, _chosen(good, there.split, parts.split))
+        if good.all():
+            parts = there
+        else:
+            parts = reduced(forest, stance, _chosen(good, there.split, parts.split))
         heading[good] = found.travelled[good] / way[good, None]
         heading[~good] = 0.0
         length = np.where(good, STEP, np.maximum(length / 2, STEP / 64))
@@ -166,8 +168,9 @@ def _parts(
         split = Split(left, right, split.rank, split.size)
         parts = reduced(forest, stance, split)
     for number in np.flatnonzero(parts.strain > 1 / CUT):
-        here = stance.take(np.array([number]))
-        ranks[number] = split_at(forest, here)[0].rank
+        matrix = loop_jacobian(forest, stance.take(np.array([number])))[0]
+        values = np.linalg.svd(matrix, compute_uv=False)
+        ranks[number] = (values > CUT * split.size[number]).sum()
     return parts, ranks
 
 

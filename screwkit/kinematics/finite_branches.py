@@ -131,7 +131,8 @@ def _representatives(points: Sequence[Point]) -> list[Point]:
     patterns: dict[tuple[object, ...], list[Point]] = {}
     for point in points:
         patterns.setdefault(point.pattern, []).append(point)
-    return [point for alike in patterns.values() for point in alike[:WALKERS]]
+    few = 2 if points[0].dimension == 1 else WALKERS
+    return [point for alike in patterns.values() for point in alike[:few]]
 
 
 def directions(tangents: Array) -> list[int]:

@@ -47,6 +47,9 @@ FEW, MANY = 8, 24
 PATIENCE = 4
 """How often a start may turn out to stand on a singular posture of its branch."""
 
+WITNESSES = 4
+"""At how many singular postures of one rank the dimension is counted."""
+
 DOUBTFUL = 0.2
 """Part of the closed postures that may stay singular without making it all doubtful."""
 
@@ -171,23 +174,36 @@ def _settled(
     """
     dimensions: list[int | None] = [None] * len(stance)
     left = np.arange(len(stance))
+    own: tuple[Kernel, ...] = ()
     for attempt in range(PATIENCE):
+        if attempt:
+            onward = wandered(forest, stance.take(left), split.take(left), random)
+            stance = stance.put(left, onward)
         own = kernels(forest, stance.take(left), split.take(left))
-        singular = []
-        for number, kernel in zip(left, own, strict=True):
-            here = stance.take(np.array([number]))
-            if is_regular(forest, here, kernel, random):
-                dimensions[number] = kernel.dimension
-            else:
-                singular.append(number)
-                if attempt == PATIENCE - 1:
-                    found = singular_dimension(forest, here, kernel, random)
-                    dimensions[number] = found
-        left = np.array(singular, dtype=np.intp)
-        if not singular or attempt == PATIENCE - 1:
+        regular = [
+            is_regular(forest, stance.take(left[[i]]), kernel, random)
+            for i, kernel in enumerate(own)
+        ]
+        for number, kernel, settled in zip(left, own, regular, strict=True):
+            dimensions[number] = kernel.dimension if settled else None
+        left = left[~np.array(regular, dtype=bool)]
+        own = tuple(k for k, settled in zip(own, regular, strict=True) if not settled)
+        if not len(left):
             break
-        onward = wandered(forest, stance.take(left), split.take(left), random)
-        stance = stance.put(left, onward)
+    for size in {kernel.dimension for kernel in own}:
+        alike = [i for i, kernel in enumerate(own) if kernel.dimension == size]
+        counts = [
+            singular_dimension(forest, stance.take(left[[i]]), own[i], random)
+            for i in alike[:WITNESSES]
+        ]
+        if len(set(counts)) > 1:
+            counts += [
+                singular_dimension(forest, stance.take(left[[i]]), own[i], random)
+                for i in alike[WITNESSES:]
+            ]
+        # Where the first ones agree the others are taken to be of the same sort.
+        for place, i in enumerate(alike):
+            dimensions[left[i]] = counts[min(place, len(counts) - 1)]
     return stance, dimensions
 
 

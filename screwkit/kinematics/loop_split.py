@@ -25,6 +25,10 @@ CUT = 1e-5
 """Relative size below which a singular value at a corrected posture counts as zero."""
 
 
+CONDITION = 1e3
+"""Long chains are worse conditioned than this by nature, not by a singularity."""
+
+
 @dataclass(frozen=True, eq=False)
 class Split:
     """Orthogonal bases of loop equations and of coordinates, for every posture.
@@ -33,7 +37,8 @@ class Split:
         left: Combinations of the equations, shape (batch, rows, rows).
         right: Combinations of the coordinates, shape (batch, freedoms, freedoms).
         rank: How many of both come first.
-        size: The largest singular value of J_c, shape (batch,).
+        size: What singular values are compared with, shape (batch,): the largest of
+            J_c, or `CONDITION` times the smallest that counts if that is less.
     """
 
     left: Array
@@ -126,7 +131,8 @@ def split_at(
     left, values, right = np.linalg.svd(matrices)
     if rank is None:
         rank = int((values[0] > cut * values[0, :1]).sum())
-    size = np.maximum(values[:, 0], 1e-300)
+    least = values[:, rank - 1] if rank else values[:, 0]
+    size = np.maximum(np.minimum(values[:, 0], CONDITION * least), 1e-300)
     return Split(left, np.swapaxes(right, -1, -2), rank, size), values
 
 

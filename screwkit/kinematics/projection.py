@@ -23,10 +23,16 @@ from screwkit.kinematics.spanning_forest import Forest
 CLOSED = 1e-12
 """Largest miss of closed loops: radians, and lengths over the mechanism's own."""
 
+POLISHED = 1e-15
+"""Down to which closing goes on as long as it gains; a double root needs it."""
+
+SLOWEST = 0.9
+"""A step that leaves more than this part of a miss has no use."""
+
 LONGEST_STEP = 0.5
 """Largest change of a coordinate in one step."""
 
-STAGES = ((3e-3, 25), (1e-5, 12), (1e-8, 8))
+STAGES = ((3e-3, 25), (1e-5, 25), (1e-8, 25))
 """Relative cut-off of the singular values, and the steps taken with it at most."""
 
 
@@ -65,21 +71,21 @@ def projected(
     stance, travelled = moved(forest, start, step), step.copy()
     largest = largest_miss(stance)
     for cut, steps in stages:
+        left = np.flatnonzero(largest > (POLISHED if cut == stages[0][0] else CLOSED))
         for _ in range(steps):
-            left = np.flatnonzero(largest > CLOSED)
             if not len(left):
                 break
             part = stance.take(left)
             parts = reduced(forest, part, split.take(left))
             change = clipped(parts.step(misses(part), cut))
             part = moved(forest, part, change)
-            stance = stance.put(left, part)
-            travelled[left] += change
             sizes = largest_miss(part)
-            stuck = sizes > 0.999 * largest[left]
-            largest[left] = sizes
-            if stuck.all():
-                break
+            better = sizes < SLOWEST * largest[left]
+            kept = better | (largest[left] > CLOSED)
+            stance = stance.put(left[kept], part.take(kept))
+            travelled[left[kept]] += change[kept]
+            largest[left[kept]] = sizes[kept]
+            left = left[better & (sizes > POLISHED)]
     return Projected(stance, travelled, largest <= CLOSED, largest)
 
 
