@@ -15,8 +15,14 @@ from typing import TYPE_CHECKING
 from screwkit.algebra.expression import Expression, Number
 from screwkit.algebra.names import did_you_mean
 from screwkit.algebra.parse import parse
-from screwkit.errors import ExpressionError, UnknownCaseError, UnknownNameError
-from screwkit.mechanism.files import read_mechanism
+from screwkit.errors import (
+    ExpressionError,
+    Fault,
+    MechanismFileError,
+    UnknownCaseError,
+    UnknownNameError,
+)
+from screwkit.mechanism.files import place_of, read_mechanism
 from screwkit.mechanism.graph import actuable_freedoms
 from screwkit.mechanism.model import (
     Claim,
@@ -132,6 +138,7 @@ def load(
         mechanism = _with_numbers(mechanism, set_values)
     if actuated is not None:
         mechanism = _with_actuated(mechanism, actuated)
+    _refuse_open_table(mechanism, path)
     wanted: dict[str, Expression] = {}
     if at:
         mechanism, wanted = placed_at(mechanism, at)
@@ -266,3 +273,37 @@ def placed_at(
         target = wanted if name in joints and moves else held
         target[name] = parse(str(value), ())
     return with_values(mechanism, held), wanted
+
+
+def _refuse_open_table(mechanism: Mechanism, path: Path) -> None:
+    """A table that places a body twice must have a closed posture.
+
+    Raises:
+        MechanismFileError: If none is found.
+    """
+    from screwkit.kinematics.placement import why_tied  # noqa: PLC0415
+
+    if mechanism.geometry != "mdh" or not why_tied(mechanism):
+        return
+    from screwkit.kinematics.table_closure import table_closure  # noqa: PLC0415
+    from screwkit.kinematics.values import (  # noqa: PLC0415
+        declared_values,
+        with_values,
+    )
+
+    try:
+        found = table_closure(with_values(mechanism, declared_values(mechanism)))
+    except UnknownNameError:
+        return  # without numbers there is no posture to look at
+    if found.closed:
+        return
+    names = [joint.name for joint in mechanism.joints]
+    place = place_of(path, ("joints", names.index(found.joint)))
+    twice = mechanism.joint(found.joint).child
+    message = (
+        f"the posture does not close: joint {found.joint!r} places {twice!r}, which "
+        f"another row places already, and no values of the joint variables bring the "
+        f"two together (they miss by {found.miss:.2g} of the mechanism's size); check "
+        f"the lengths, or attach it by a fixed joint without a row"
+    )
+    raise MechanismFileError(str(path), (Fault(*place, message),))

@@ -21,7 +21,7 @@ def check_case(
 
     Args:
         case: File or bundled case.
-        changes: ``set_values`` and ``actuated`` as of `screwkit.load`, may be empty.
+        changes: As of `screwkit.load`; entries may be empty.
         as_json: Whether a document is wanted.
         quiet: Whether the exit code is answer enough.
     """

@@ -82,7 +82,12 @@ def check(
 
     # The same options as everywhere; reading a file needs no deadline.
     job = request_of("check", {**locals(), "memory": None}).job
-    changes = {"set_values": job.set_values, "actuated": job.actuated}
+    changes = {
+        "set_values": job.set_values,
+        "actuated": job.actuated,
+        "variant": job.variant,
+        "at": job.at,
+    }
     raise typer.Exit(check_case(job.case, changes, as_json=as_json, quiet=quiet))
 
 

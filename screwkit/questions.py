@@ -6,6 +6,7 @@ Thin on purpose: each passes the case's assembly to the analysis that answers.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -22,8 +23,17 @@ from screwkit.results.singularities import Singularities
 def mobility(case: Case, progress: Progress = silent) -> Mobility:
     """How movable the mechanism is, by every count, and why they differ."""
     from screwkit.analyses import mobility as analysis  # noqa: PLC0415
+    from screwkit.analyses import moved as moved_analysis  # noqa: PLC0415
 
-    return analysis.mobility(case.network, _motion_cases(case), progress=progress)
+    table = moved_analysis.closed_table(case.network)
+    if table is not None:
+        return moved_analysis.table_mobility(case.network, table)
+    answer = analysis.mobility(case.network, _motion_cases(case), progress=progress)
+    if case.wanted:
+        progress("mobility", "moving the mechanism")
+        moved = moved_analysis.at_posture(case.network, case.wanted)
+        answer = replace(answer, at_posture=moved)
+    return answer
 
 
 def _motion_cases(case: Case) -> Callable[[str], tuple[MotionCase, ...]] | None:

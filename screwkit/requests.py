@@ -56,4 +56,5 @@ def _settings(option: str, texts: list[str] | None) -> dict[str, str]:
 
 
 def names_in(text: str) -> tuple[str, ...]:
+    """Names parted by commas."""
     return tuple(name.strip() for name in text.split(",") if name.strip())

@@ -156,7 +156,7 @@ def test_refusals_have_their_codes(
         (["mobilty", "nao_t14"], "Did you mean 'mobility'"),
         (["mobility"], "Missing argument"),
         (["mobility", "nao_t14", "--set", "d3"], "is not NAME=VALUE"),
-        (["mobility", "nao_t14", "--at", "q2=0.3"], "comes with posture results"),
+        (["mobility", "nao_t14", "--at", "q2"], "is not NAME=VALUE"),
         (["screws", "nao_t14", "--order", "odd"], "--order"),
     ],
 )
@@ -217,7 +217,7 @@ def test_check_takes_the_common_options(capsys: pytest.CaptureFixture[str]) -> N
 
 def test_a_variant_reaches_the_job_with_its_case(engine: Answering) -> None:
     screwkit("mobility", "arm.yaml", "--variant", "short")
-    assert engine.jobs[0].case == "arm.yaml#short"
+    assert (engine.jobs[0].case, engine.jobs[0].variant) == ("arm.yaml", "short")
 
 
 @pytest.mark.parametrize("command", ["check", "mobility", "analyze"])

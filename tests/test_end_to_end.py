@@ -247,7 +247,7 @@ def test_an_interrupt_is_obeyed_and_leaves_nothing() -> None:
         (["mobility", "nao_t14", "--actuated", "99"], 2),
         (["mobility", "no_such_case"], 2),
         (["mobilty", "nao_t14"], 2),
-        (["screws", "nao_t14", "--at", "q2=0"], 2),
+        (["screws", "nao_t14", "--at", "q22=0"], 2),
         (["check", "BAD"], 3),
         (["mobility", "BAD"], 3),
         (["analyze", "nao_t14", "--timeout", "0.4"], 4),

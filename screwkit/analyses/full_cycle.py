@@ -48,9 +48,7 @@ def full_cycle(
         )
         return FullCycle("sampled", known.mobility, reason, known.branches)
     assert sample is not None
-    return FullCycle(
-        sample.status, sample.mobility, sample.reason, _branches(network, sample)
-    )
+    return cycle_of(network, sample)
 
 
 @dataclass(frozen=True)
@@ -108,6 +106,12 @@ def _all_closed(network: Network, at: Motion) -> FullCycle:
             "the motion is finite"
         )
     return FullCycle("proved", (at.mobility,), reason)
+
+
+def cycle_of(network: Network, sample: FiniteMotion) -> FullCycle:
+    """Samples as they are reported."""
+    branches = _branches(network, sample)
+    return FullCycle(sample.status, sample.mobility, sample.reason, branches)
 
 
 def _branches(

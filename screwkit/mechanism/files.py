@@ -13,7 +13,8 @@ from screwkit.errors import Fault, MechanismFileError
 from screwkit.mechanism.assembly import assembled
 from screwkit.mechanism.json_nodes import json_tree
 from screwkit.mechanism.model import Mechanism
-from screwkit.mechanism.nodes import Faults
+from screwkit.mechanism.nodes import Faults, find
+from screwkit.mechanism.nodes import Path as Path_
 from screwkit.mechanism.structure import draft_of
 from screwkit.mechanism.yaml_nodes import yaml_tree
 
@@ -87,6 +88,20 @@ def mechanism_from_text(text: str, source_name: str, json: bool = False) -> Mech
     if faults.found or mechanism is None:
         raise MechanismFileError(source_name, faults.sorted())
     return mechanism
+
+
+def place_of(path: str | Path, keys: Path_) -> tuple[int, int]:
+    """Line and column of an entry of a file that has been read; 0, 0 if it is gone.
+
+    Args:
+        path: The file.
+        keys: From the root, names and positions.
+    """
+    text = Path(path).read_text("utf-8-sig")
+    is_json = str(path).lower().endswith(".json")
+    root = json_tree(text, Faults()) if is_json else yaml_tree(text, Faults())
+    node = None if root is None else find(root, keys)
+    return (0, 0) if node is None else (node.place.line, node.place.column)
 
 
 def _refused(source: str, message: str) -> MechanismFileError:

@@ -30,6 +30,7 @@ from screwkit.reports.blocks import (
 from screwkit.reports.phrases import counted, platform_called, signed
 from screwkit.results.mobility import (
     Actuation,
+    AtPosture,
     FullCycle,
     Mobility,
     MotionCase,
@@ -60,6 +61,8 @@ def mobility_blocks(answer: Mobility) -> tuple[Block, ...]:
     closing = [full_cycle(answer.full_cycle)]
     if answer.actuation is not None:
         closing.append(locked(answer.actuation, answer.platform_name))
+    if answer.at_posture is not None:
+        closing.append(moved(answer.at_posture, answer.platform_name))
     blocks += [Paragraph(words(text), 1) for text in closing]
     if answer.at_values is not None:
         blocks += [
@@ -192,3 +195,23 @@ def locked(actuation: Actuation, platform: str = "", separator: str = " ") -> st
         verb = "stays" if actuation.remaining_mobility == 1 else "stay"
         return f"{head}, {name} is fixed and {left} {verb} idle"
     return f"{head}, nothing moves"
+
+
+def moved(answer: AtPosture, platform: str = "") -> str:
+    """The posture asked for, and what holds there."""
+    at = ", ".join(
+        f"{name} = {value:.6g}"
+        for name, value in zip(answer.variables, answer.values, strict=True)
+    )
+    if not answer.closed:
+        return f"the posture asked for was not reached: {answer.reason}; left at {at}"
+    left = counted(answer.instantaneous_mobility, "freedom")
+    said = (
+        f"moved to {at}: {left}, loop rank {answer.loop_rank}, "
+        f"{platform_called(platform)} {answer.motion_type}"
+    )
+    if answer.remaining_platform_freedom:
+        kept = counted(answer.remaining_platform_freedom, "freedom")
+        said += f", which keeps {kept} with the actuated joints locked"
+    unclear = f"; unclear: {answer.reason}" if answer.reason else ""
+    return f"{said} (in floating point){unclear}"

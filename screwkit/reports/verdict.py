@@ -24,7 +24,9 @@ def is_plain_yes(result: Any) -> bool:
         case Undecided():
             return False
         case Mobility():
-            return result.full_cycle.status != "undecided"
+            moved = result.at_posture
+            reached = moved is None or (moved.closed and not moved.reason)
+            return result.full_cycle.status != "undecided" and reached
         case Singularities():
             locked = result.actuation
             fine = locked is None or (locked.admissible and locked.complete)

@@ -212,8 +212,9 @@ def _wrench_described(written: Json) -> Json:
 
 
 def _values_optional(plain: Json) -> Json:
-    if plain["at_values"] is None:
-        del plain["at_values"]
+    for key in ("at_values", "at_posture"):
+        if plain[key] is None:
+            del plain[key]
     return plain
 
 

@@ -291,6 +291,33 @@ class SpecialValues:
 
 
 @dataclass(frozen=True)
+class AtPosture:
+    """The answer at a posture to which the mechanism was moved, in floating point.
+
+    Attributes:
+        closed: Whether the posture was reached; the numbers hold only then.
+        reason: Why it was not reached, or why a rank is unclear; else empty.
+        variables: Names of the joint variables, in the order of ``values``.
+        values: In radians and file lengths, from the posture of the file.
+        gap: Smallest ratio of singular values that count to those that do not; None
+            where none is small.
+    """
+
+    closed: bool
+    reason: str
+    variables: tuple[str, ...]
+    values: tuple[float, ...]
+    loop_rank: int
+    redundant_constraints: int
+    instantaneous_mobility: int
+    motion_type: str
+    couples: int
+    remaining_mobility: int | None = None
+    remaining_platform_freedom: int | None = None
+    gap: float | None = None
+
+
+@dataclass(frozen=True)
 class Mobility:
     """The answer of ``mobility``; ranks are exact and generic over the free symbols.
 
@@ -304,6 +331,7 @@ class Mobility:
         loose_bodies: Bodies that no joint connects with the base.
         generic: Whether the answer holds for generic values of free symbols; else it
             holds at the posture of the file.
+        at_posture: The answer where ``--at`` asked the mechanism to be moved.
     """
 
     case: str
@@ -326,3 +354,4 @@ class Mobility:
     connectivity: Connectivity | None = None
     loose_bodies: tuple[str, ...] = ()
     generic: bool = True
+    at_posture: AtPosture | None = None
