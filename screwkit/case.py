@@ -264,7 +264,8 @@ def placed_at(
 
     joints = set(mechanism.joint_variables)
     known = {p.name for p in mechanism.parameters} | joints
-    held, wanted = {}, {}
+    held: dict[str, Expression] = {}
+    wanted: dict[str, Expression] = {}
     moves = mechanism.geometry == "posture" or bool(why_tied(mechanism))
     for name, value in values.items():
         if name not in known:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any, Final
 
 from screwkit import errors
@@ -49,11 +48,6 @@ def check_case(
 
 def _read(case: str, changes: Mapping[str, Any] | None = None) -> Any:
     """The mechanism of a file, or of a bundled case."""
-    path = Path(case)
-    if path.is_file() and not changes:
-        from screwkit.mechanism.files import read_mechanism  # noqa: PLC0415
-
-        return read_mechanism(path)
     from screwkit.case import load  # noqa: PLC0415
 
     return load(case, **changes or {}).mechanism
