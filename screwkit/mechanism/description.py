@@ -6,10 +6,21 @@ from dataclasses import fields
 
 from screwkit.algebra.expression import ZERO, Expression, Symbol
 from screwkit.algebra.expression_building import add
+from screwkit.algebra.names import RESERVED
 from screwkit.algebra.text import expression_text
+from screwkit.algebra.tokens import names_in
 from screwkit.mechanism.graph import limbs
-from screwkit.mechanism.model import Joint, JointType, MdhRow, Mechanism
+from screwkit.mechanism.model import (
+    Joint,
+    JointType,
+    MdhRow,
+    Mechanism,
+    VectorExpression,
+)
 from screwkit.results.analysis import Description, JointRow
+
+LONGEST = 60
+"""Characters of a vector that is written out."""
 
 _COLUMNS = tuple(cell.name for cell in fields(MdhRow))
 
@@ -28,13 +39,15 @@ def description(mechanism: Mechanism) -> Description:
         base=mechanism.base,
         platform=mechanism.platform,
         links=len(mechanism.links),
-        columns=_COLUMNS if mdh else (),
+        columns=_COLUMNS if mdh else _places(mechanism),
         rows=tuple(
             JointRow(
                 joint.name,
                 str(joint.type),
                 placed_by.get(joint.parent, joint.parent),
-                _cells(joint) if mdh else (),
+                _cells(joint)
+                if mdh
+                else tuple(_place(joint, what) for what in _places(mechanism)),
                 ", ".join(joint.variables),
             )
             for joint in mechanism.joints
@@ -63,3 +76,36 @@ def _cells(joint: Joint) -> tuple[str, ...]:
         parts = [values[moved], Symbol(variable), offset]
         values[moved] = add(*(part for part in parts if part != ZERO))
     return tuple(expression_text(values[name]) for name in _COLUMNS)
+
+
+def _places(mechanism: Mechanism) -> tuple[str, ...]:
+    """What places the joints of a file without a table."""
+    columns = ["axis", "point"]
+    if any(joint.pitch is not None for joint in mechanism.joints):
+        columns.append("pitch")
+    if any(joint.line is not None for joint in mechanism.joints):
+        columns.append("line")
+    return tuple(columns)
+
+
+def _place(joint: Joint, what: str) -> str:
+    match what:
+        case "axis":
+            directions = joint.axes or ((joint.normal,) if joint.normal else ())
+            return ", ".join(_vector(axis) for axis in directions)
+        case "point":
+            return "" if joint.point is None else _vector(joint.point)
+        case "line":
+            return "" if joint.line is None else _vector(joint.line)
+        case _:
+            return "" if joint.pitch is None else expression_text(joint.pitch)
+
+
+def _vector(vector: VectorExpression) -> str:
+    """Three coordinates, or of long ones the symbols that they depend on."""
+    texts = [expression_text(part) for part in vector]
+    text = f"[{', '.join(texts)}]"
+    if len(text) <= LONGEST:
+        return text
+    met = {name for part in texts for name, _ in names_in(part)} - RESERVED
+    return f"[a function of {', '.join(sorted(met))}]"
