@@ -11,7 +11,7 @@ References: [Hunt1978].
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TypeAlias
@@ -225,8 +225,8 @@ def with_parameters(edges: Iterable[Edge], prime: int) -> ChainGraph:
     return ChainGraph(tuple(kept), len(numbers), prime)
 
 
-def chain_graph(motion: Motion) -> ChainGraph:
-    """The graph of a mechanism at a posture; locked freedoms are rigid."""
+def chain_graph(motion: Motion, held: Collection[str] = ()) -> ChainGraph:
+    """The graph of a mechanism at a posture; locked and held freedoms are rigid."""
     network, posture = motion.network, motion.posture
     edges: list[Edge] = []
     for joint in network.mechanism.joints:
@@ -235,7 +235,8 @@ def chain_graph(motion: Motion) -> ChainGraph:
         for number, label in enumerate(labels, start=1):
             last = number == len(labels)
             there = joint.child if last else f"{INNER}{label}"
-            screw = () if label in motion.locked else posture.twists.get(label, ())
+            still = label in motion.locked or label in held
+            screw = () if still else posture.twists.get(label, ())
             edges.append(Edge(label, here, there, tuple(screw), len(edges)))
             here = there
         if not labels:

@@ -13,7 +13,7 @@ References: [Herve1999], [RicoRavani2003] (kinematic chains and subalgebras).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -31,8 +31,8 @@ from screwkit.kinematics.lie_closure import (
     is_subalgebra,
     loop_algebra,
 )
+from screwkit.kinematics.tied_families import MOST_CYCLES, subfamilies
 
-MOST_CYCLES = 120
 MOST_VIRTUAL = 8
 LONGEST = 6
 """Freedoms up to which a single loop is followed along its own motion."""
@@ -161,7 +161,9 @@ class _Search:
         """Count a loop with its rank if it is one like Bennett's, which closes so."""
         key, word = _names(graph, cycle), graph.word(cycle)
         alone = with_parameters((graph.edges[n] for n, _ in cycle), graph.prime)
-        if alone.rank < self._dimensions[key] and alone.width == len(word) <= LONGEST:
+        if not alone.mobility or not alone.width == len(word) <= LONGEST:
+            return
+        if alone.rank < self._dimensions[key]:
             found = continuation(alone)
             if found.fails_at is None and found.identical:
                 self._dimensions[key] = alone.rank
@@ -203,7 +205,7 @@ def smooth_family(graph: ChainGraph, ends: Sequence[str]) -> Closing | None:
     if graph.width > LARGEST_BLOCK:
         closing = all_postures(graph)
         return None if closing.deficit else closing
-    for family, tied, held in _families(graph):
+    for family, tied, held in subfamilies(graph):
         closing = _Search(family, ends).best()
         if not closing.deficit and closing.graph.mobility == graph.mobility:
             return replace(closing, tied=tied, held=held)
@@ -236,107 +238,3 @@ def _joined(
     if not system:
         edges.append(Edge(f"{one}~{other}", one, other))
     return ChainGraph(tuple(edges), graph.width + len(system), graph.prime)
-
-
-def _families(graph: ChainGraph) -> Iterator[tuple[ChainGraph, bool, bool]]:
-    """The graph and subfamilies with the same rates at the posture, without repeats.
-
-    With each whether joints are tied in it, and whether joints are held.
-    """
-    groups = _tied_groups(graph)
-    still = frozenset(range(graph.width)) - {p for r in graph.rates for p in r}
-    closing = _ties_that_close(graph, groups)
-    seen = set()
-    for ties in (groups[:0], closing, groups):
-        for held in (frozenset[int](), still):
-            key = (tuple(sorted(map(tuple, ties))), held)
-            if key not in seen:
-                seen.add(key)
-                family = _tied(graph, ties, held) if ties or held else graph
-                yield family, bool(ties), bool(held)
-
-
-def _tied_groups(graph: ChainGraph) -> list[dict[int, int]]:
-    """Parameters of parallel rotations that go through equal or opposite angles.
-
-    Each group gives the factor from its first parameter to the others; a parameter in
-    one group at most.  Compared are the rates of all motions at the posture.
-    """
-    prime, groups, taken = graph.prime, [], set[int]()
-    turning = {e.parameter: e.screw for e in graph.edges if _is_rotation(e, prime)}
-    columns = {p: [rates.get(p, 0) for rates in graph.rates] for p in turning}
-    for first, screw in turning.items():
-        if first in taken or not any(columns[first]):
-            continue
-        group = {first: 1}
-        for other, second in turning.items():
-            if other <= first or other in taken:
-                continue
-            ratio = _ratio(screw[:3], second[:3], prime)
-            for factor in (ratio, -ratio) if ratio else ():
-                # other = ±ratio⁻¹ · first: angles about axes of different length.
-                scaled = pow(factor, -1, prime)
-                if columns[other] == [scaled * x % prime for x in columns[first]]:
-                    group[other] = scaled
-        if len(group) > 1:
-            taken |= set(group)
-            groups.append(group)
-    return groups
-
-
-def _is_rotation(edge: Edge, prime: int) -> bool:
-    """Whether it is a rotation: no translation, no helix."""
-    w, v = edge.screw[:3], edge.screw[3:]
-    return any(w) and not sum(x * y for x, y in zip(w, v, strict=True)) % prime
-
-
-def _ratio(first: Sequence[int], second: Sequence[int], prime: int) -> int:
-    """The factor from the first to the second; 0 where there is none."""
-    pivot = next(i for i, x in enumerate(first) if x)
-    ratio = second[pivot] * pow(first[pivot], -1, prime) % prime
-    parallel = all(
-        (ratio * x - y) % prime == 0 for x, y in zip(first, second, strict=True)
-    )
-    return ratio if parallel else 0
-
-
-def _ties_that_close(
-    graph: ChainGraph, groups: list[dict[int, int]]
-) -> list[dict[int, int]]:
-    """Of the ties those in loops that they close identically, as in parallelograms."""
-    tied = _tied(graph, groups, frozenset())
-    kept: list[set[int]] = []
-    for cycle in graph.simple_cycles(MOST_CYCLES):
-        if len(cycle) <= 8 and not loop_algebra(tied.word(cycle), graph.prime):
-            own = {graph.edges[n].parameter for n, _ in cycle} - {-1}
-            kept += [own & set(g) for g in groups if len(own & set(g)) > 1]
-    merged: list[set[int]] = []
-    for members in kept:
-        apart = [other for other in merged if not other & members]
-        joined = members.union(*(other for other in merged if other & members))
-        merged = [*apart, joined]
-    found = []
-    for members in merged:
-        group = next(g for g in groups if members <= set(g))
-        unit = pow(group[min(members)], -1, graph.prime)
-        found.append({p: group[p] * unit % graph.prime for p in sorted(members)})
-    return found
-
-
-def _tied(
-    graph: ChainGraph, ties: Sequence[Mapping[int, int]], held: frozenset[int]
-) -> ChainGraph:
-    """The subfamily in which tied parameters are one and held ones are zero."""
-    prime = graph.prime
-    leader = {p: (min(ties_), k) for ties_ in ties for p, k in ties_.items()}
-    edges = []
-    for edge in graph.edges:
-        if edge.parameter in held:
-            edges.append(replace(edge, screw=(), parameter=-1))
-        elif edge.parameter in leader:
-            parameter, factor = leader[edge.parameter]
-            screw = tuple(factor * x % prime for x in edge.screw)
-            edges.append(replace(edge, screw=screw, parameter=parameter))
-        else:
-            edges.append(edge)
-    return with_parameters(edges, prime)

@@ -15,30 +15,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from screwkit.kinematics.chain_graph import INNER, ChainGraph, chain_graph
-from screwkit.kinematics.closing_groups import (
-    Closing,
-    all_postures,
-    smooth_family,
-)
-from screwkit.kinematics.exact_postures import ExactPosture
-from screwkit.kinematics.higher_order import (
-    cone_dimension,
-    continuation,
-    second_order_forms,
-)
+from screwkit.kinematics.closing_groups import Closing, smooth_family
+from screwkit.kinematics.idle_freedoms import idle_freedoms
 from screwkit.kinematics.network import Motion, Network, motion
-from screwkit.kinematics.real_forms import (
-    Matrix,
-    definite_combination,
-    indefinite,
-    real_forms,
+from screwkit.kinematics.order_proofs import (
+    IDENTICAL,
+    Proved,
+    proved_by_order,
+    second_order_bound,
+    smooth,
 )
-
-LARGEST_FOR_ORDERS = 60
-"""Freedoms of a block up to which higher orders are computed."""
-
-LARGEST_FORM = 14
-"""Mobility of a block up to which second-order conditions are."""
 
 
 @dataclass(frozen=True)
@@ -85,20 +71,24 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
     equations = len(network.rows)
     whole = _of_first_order(graph, equations)
     if whole is not None:
-        return whole
-    blocks = graph.blocks()
+        return Proof((whole.mobility,), whole.reason)
+    idle = idle_freedoms(at)
+    graph, other_graph = chain_graph(at, idle), chain_graph(twin, idle)
+    blocks = tuple(block for block in graph.blocks() if block.width)
+    others = tuple(block for block in other_graph.blocks() if block.width)
+    free = graph.width - sum(block.width for block in blocks)
+    dimension = free + len(idle)
     postures = at.posture, twin.posture
-    dimension = free = graph.width - sum(block.width for block in blocks)
     reasons: dict[str, int] = {}
-    for block, other in zip(blocks, chain_graph(twin).blocks(), strict=True):
+    for block, other in zip(blocks, others, strict=True):
         proof = _of_first_order(block, equations)
         if proof is None and not _has_contact(network, block):
             ends = network.mechanism.base, network.mechanism.platform
             proof = _of_family(block, ends)
-            proof = proof or _of_higher_order((block, other), postures)
+            proof = proof or proved_by_order((block, other), postures)
         if proof is None:
             return None
-        dimension += proof.mobility[0]
+        dimension += proof.mobility
         reasons[proof.reason] = reasons.get(proof.reason, 0) + 1
     told = "; ".join(
         f"{reason} ({count} times)" if count > 1 else reason
@@ -106,21 +96,27 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
     )
     if len(blocks) > 1:
         told = f"the loops fall into {len(blocks)} parts that share no joint: {told}"
+    apart = []
     if free:
-        told += f"; joints on no loop add {free}"
+        apart.append(f"the freedom of joints on no loop ({free})")
+    if idle:
+        apart.append(f"the idle freedom of bodies between two joints ({len(idle)})")
+    if apart:
+        told = f"apart from {_listed(apart)}, {told}"
     return Proof((dimension,), told)
 
 
 def upper_bound(network: Network, at: Motion) -> UpperBound | None:
     """A bound of all finite mobilities, if one below the rates' dimension is proved."""
-    graph = chain_graph(at)
-    if _twin(network, at) is None or graph.mobility != at.mobility:
+    idle = idle_freedoms(at)
+    graph = chain_graph(at, idle)
+    if _twin(network, at) is None or graph.mobility + len(idle) != at.mobility:
         return None
     blocks = graph.blocks()
-    dimension = graph.width - sum(block.width for block in blocks)
+    dimension = len(idle) + graph.width - sum(block.width for block in blocks)
     for block in blocks:
         contact = _has_contact(network, block)
-        dimension += block.mobility if contact else _second_order(block)
+        dimension += block.mobility if contact else second_order_bound(block)
     if dimension >= at.mobility:
         return None
     return UpperBound(
@@ -142,109 +138,32 @@ def _twin(network: Network, at: Motion) -> Motion | None:
     return next(m for m in motions if m.posture.prime != at.posture.prime)
 
 
-def _of_first_order(graph: ChainGraph, equations: int) -> Proof | None:
+def _of_first_order(graph: ChainGraph, equations: int) -> Proved | None:
     """Ranks alone, valid whatever the joints are beyond first order."""
     if not graph.rank and not any(block.width for block in graph.blocks()):
-        return Proof(
-            (graph.mobility,), "no loop restrains the joints: every joint moves freely"
+        return Proved(
+            graph.mobility, "no loop restrains the joints: every joint moves freely"
         )
     if not graph.mobility:
-        return Proof(
-            (0,), "no joint rates keep the loops closed: rigid already to first order"
+        return Proved(
+            0, "no joint rates keep the loops closed: rigid already to first order"
         )
     count = equations * len(graph.fundamental_cycles)
     if graph.rank < count:
         return None
-    return Proof(
-        (graph.mobility,),
+    return Proved(
+        graph.mobility,
         f"the {count} closure equations are independent at this posture, "
-        f"{_smooth(graph.mobility)}",
+        f"{smooth(graph.mobility)}",
     )
 
 
-def _of_family(block: ChainGraph, ends: Sequence[str]) -> Proof | None:
+def _of_family(block: ChainGraph, ends: Sequence[str]) -> Proved | None:
     """A smooth family of the full instantaneous mobility."""
     closing = smooth_family(block, ends)
     if closing is None:
         return None
-    return Proof((block.mobility,), _in_words(closing, block.mobility))
-
-
-def _of_higher_order(
-    blocks: tuple[ChainGraph, ChainGraph],
-    postures: tuple[ExactPosture, ExactPosture],
-) -> Proof | None:
-    """Loops that close identically, or rates that lead nowhere or not everywhere."""
-    block = blocks[0]
-    if block.width > LARGEST_FOR_ORDERS:
-        return None
-    followed = continuation(block)
-    if followed.fails_at is None:
-        if not followed.identical:
-            return None
-        return Proof(
-            (block.mobility,),
-            f"{_IDENTICAL.format('the loops close', followed.checked)}, "
-            f"{_smooth(block.mobility)}",
-        )
-    if block.mobility == 1:
-        return Proof(
-            (0,),
-            f"the one motion that first order allows opens a loop at order "
-            f"{followed.fails_at}: the posture is isolated, the structure shaky",
-        )
-    if block.mobility > LARGEST_FORM:
-        return None
-    forms = second_order_forms(block)
-    if not cone_dimension(forms, block.mobility, block.prime):
-        return Proof((0,), _SHAKY)
-    twins = second_order_forms(blocks[1])
-    real = real_forms(postures, (forms, twins)) if forms else None
-    return None if real is None else _of_real_forms(block, real)
-
-
-def _of_real_forms(block: ChainGraph, real: Sequence[Matrix]) -> Proof | None:
-    """By the signs of the second-order conditions, where the geometry is in numbers.
-
-    A definite combination leaves no rates.  If one equation f = 0 alone is left beyond
-    first order and its form is indefinite, then f = x² − y² + g(z) in suitable
-    coordinates (the splitting lemma), and the solutions y² = x² + g(z) have dimension
-    m − 1 wherever they are, since a larger |x| leads away from every edge.
-    """
-    if definite_combination(real):
-        return Proof((0,), _SHAKY)
-    if len(real) != 1 or not indefinite(real[0]) or all_postures(block).deficit != 1:
-        return None
-    one_less = block.mobility - 1
-    where = (
-        "two branches cross here"
-        if one_less == 1
-        else f"every branch through this posture has dimension {one_less}"
-    )
-    return Proof(
-        (one_less,),
-        f"beyond first order one equation is left for the {block.mobility}-dimensional "
-        f"joint rates, and its second-order part takes both signs: {where}",
-    )
-
-
-_IDENTICAL = (
-    "along the motion {} through order {}, and equations of such degrees that hold so "
-    "far hold identically"
-)
-
-_SHAKY = (
-    "no joint rates keep the loops closed to second order: the posture is isolated, "
-    "the structure shaky"
-)
-
-
-def _second_order(block: ChainGraph) -> int:
-    """Dimension of the rates that second order allows, or an upper bound of it."""
-    if not 0 < block.mobility <= LARGEST_FORM:
-        return block.mobility
-    forms = second_order_forms(block)
-    return cone_dimension(forms, block.mobility, block.prime)
+    return Proved(block.mobility, _in_words(closing, block.mobility))
 
 
 def _has_contact(network: Network, block: ChainGraph) -> bool:
@@ -262,17 +181,17 @@ def _in_words(closing: Closing, mobility: int) -> str:
         pairs = [f"{_body(b)} relative to {_body(a)}" for a, b in closing.virtual]
         said.append(f"with {_listed(pairs)} guided in the group of its motions")
     if closing.followed and len(closing.basis) == 1:
-        said.append(_IDENTICAL.format("the loop closes", closing.followed[0]))
-        return f"{', '.join(said)}, {_smooth(mobility)}"
+        said.append(IDENTICAL.format("the loop closes", closing.followed[0]))
+        return f"{', '.join(said)}, {smooth(mobility)}"
     if closing.followed:
         orders = _listed([str(order) for order in closing.followed])
         which = "one loop closes" if len(closing.followed) == 1 else "some loops close"
-        said.append(_IDENTICAL.format(which, orders))
+        said.append(IDENTICAL.format(which, orders))
         said.append(
             f"with these the loops leave {_listed(list(map(str, closing.dimensions)))} "
             f"equations, all of them independent"
         )
-        return f"{', '.join(said)}, {_smooth(mobility)}"
+        return f"{', '.join(said)}, {smooth(mobility)}"
     free = closing.dimensions.count(0)
     groups = [str(d) for d in closing.dimensions if d]
     if free:
@@ -289,17 +208,13 @@ def _in_words(closing: Closing, mobility: int) -> str:
     if groups:
         total = sum(closing.dimensions)
         said.append(f"where their {total} equations are independent")
-    return f"{', '.join(said)}, {_smooth(mobility)}"
+    return f"{', '.join(said)}, {smooth(mobility)}"
 
 
 def _body(name: str) -> str:
     """A body, or what is between two freedoms of a joint."""
     inner = name.startswith(INNER)
     return f"what follows {name.removeprefix(INNER)}" if inner else name
-
-
-def _smooth(mobility: int) -> str:
-    return f"so all postures around it form a smooth family of dimension {mobility}"
 
 
 def _listed(items: Sequence[str]) -> str:

@@ -19,9 +19,11 @@ from kinematics.linkages import (
 )
 
 from screwkit.kinematics.finite_proofs import proved_mobility, upper_bound
+from screwkit.kinematics.idle_freedoms import idle_freedoms
 from screwkit.kinematics.network import Network, motion
 
 X, Y, Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
+Point = tuple[int, int, int]
 BENNETT = [
     ((3, 0, 1), (2, -1, -3)),
     ((1, 2, -1), (0, 1, 1)),
@@ -256,6 +258,54 @@ def test_idle_rods_count() -> None:
     assert proved(rods) == (2,)
 
 
+def test_a_slipping_pin_is_set_apart_from_a_shaky_rest() -> None:
+    # Two hinges in line turn against each other; the rest is caught in second order.
+    shaky = network(
+        hinge("a", "b0", "b1", (-4, 2, 0), Z),
+        hinge("b", "b1", "b2", (0, -3, 3), X),
+        slider("c", "b2", "b3", X),
+        hinge("d", "b3", "b4", (2, 0, -3), Y),
+        hinge("e", "b4", "b5", (2, 7, -3), Y),
+        hinge("f", "b5", "b6", (0, -3, -3), X),
+        hinge("g", "b6", "b0", (-2, -1, 0), Z),
+        platform="b3",
+    )
+    assert shaky.motion.mobility == 2
+    proof = proved_mobility(shaky, shaky.motion)
+    assert proof is not None
+    assert proof.mobility == (1,)
+    assert "idle" in proof.reason
+
+
+def test_a_planar_motion_inside_a_loop_with_one_rate_too_many() -> None:
+    # With the two x axes at rest R P R R is a planar loop of one freedom.
+    loop = network(
+        hinge("a", "b0", "b1", (0, 0, -3), Y),
+        hinge("b", "b1", "b2", (0, 1, 3), X),
+        slider("c", "b2", "b3", X),
+        hinge("d", "b3", "b4", (0, 0, 2), Y),
+        hinge("e", "b4", "b5", (0, -1, 3), X),
+        hinge("f", "b5", "b0", (-1, 0, -3), Y),
+        platform="b3",
+    )
+    assert loop.motion.mobility == 2
+    assert proved(loop) == (1,)
+
+
+@pytest.mark.parametrize("platform", [((2, 0, 5), (0, 2, 5), (-2, -2, 5))])
+def test_balls_at_both_ends_leave_a_spin(platform: tuple[Point, ...]) -> None:
+    feet = [(4, 0, 0), (0, 4, 0), (-4, -4, 0)]
+    joints = []
+    for k, (foot, head) in enumerate(zip(feet, platform, strict=True)):
+        joints += [
+            ball(f"S{k}", "base", f"rod{k}", foot),
+            ball(f"T{k}", f"rod{k}", "table", head),
+        ]
+    tripod = network(*joints, platform="table")
+    assert len(idle_freedoms(tripod.motion)) == 3
+    assert proved(tripod) == (6,)
+
+
 def test_symbols_are_proved_for_general_values() -> None:
     parameters = "parameters: {a: {}, b: {}, c: {}, d: {}}\n"
     joints = [
@@ -285,7 +335,7 @@ def test_the_reason_tells_the_argument() -> None:
     assert "guided" in reasons["Sarrus"]
     assert "order 24" in reasons["Bennett"]
     assert "opposite angles" in reasons["4-RUU"]
-    assert "joints on no loop add 1" in reasons["two loops that share a body"]
+    assert "joints on no loop (1)" in reasons["two loops that share a body"]
     assert all(not reason.endswith(".") for reason in reasons.values())
 
 
