@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from screwkit.algebra.expression import Sum
-from screwkit.algebra.expression_building import negate
+from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.modular import LARGEST, ModularRing, ResampleError, Residue
 from screwkit.algebra.parse import parse
 from screwkit.algebra.text import expression_text
 from screwkit.errors import ExpressionError
@@ -106,7 +106,7 @@ def _lists(claimed: list[Any], computed: list[Any]) -> bool | None:
     """Lists of components: every claimed one must be there; other lists: equal."""
     if all(isinstance(item, dict) for item in computed) and computed:
         found = [
-            {_up_to_sign(e) for e in item.get("equations", ())} for item in computed
+            {_up_to_factor(e) for e in item.get("equations", ())} for item in computed
         ]
         values = [
             [_canonical(v) for v in solution["values"]]
@@ -115,7 +115,7 @@ def _lists(claimed: list[Any], computed: list[Any]) -> bool | None:
         ]
         if all(isinstance(item, str) for item in claimed):
             return [_canonical(item) for item in claimed] in values
-        return all({_up_to_sign(e) for e in item} in found for item in claimed)
+        return all({_up_to_factor(e) for e in item} in found for item in claimed)
     return bool(
         [_canonical(str(v)) for v in claimed] == [_canonical(str(v)) for v in computed]
     )
@@ -128,15 +128,37 @@ def _canonical(text: str) -> str:
         return text
 
 
-def _up_to_sign(text: str) -> str:
-    """The left side of an equation, the same for an expression and its negative."""
+def _up_to_factor(text: str) -> str:
+    """The left side of an equation as a key: the same for all its multiples.
+
+    Its ratios at points that hang on nothing but the names of the symbols, modulo a
+    prime: equal for equal polynomials however they are written, and for others with a
+    probability below degree/2⁶⁰ [Schwartz1980].
+    """
     try:
         expression = parse(text)
-    except ExpressionError:
+        values = [int(evaluate(expression, _NamedPoint(n))) for n in range(3)]
+    except (ExpressionError, ResampleError, ZeroDivisionError, KeyError):
         return text
-    terms = expression.terms if isinstance(expression, Sum) else (expression,)
-    both = (
-        sorted(expression_text(term) for term in terms),
-        sorted(expression_text(negate(term)) for term in terms),
-    )
-    return " + ".join(min(both))
+    first = next((value for value in values if value), 0)
+    if not first:
+        return "0"
+    inverse = pow(first, -1, LARGEST)
+    return " ".join(str(value * inverse % LARGEST) for value in values)
+
+
+class _NamedPoint(ModularRing):
+    """A point at which every symbol has the residue that its name gives."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__(number)
+        self._number = number
+
+    def symbol(self, name: str) -> Residue:
+        return self._of(name).symbol("x")
+
+    def cosine_sine(self, angle: str) -> tuple[Residue, Residue]:
+        return self._of(angle).cosine_sine("x")
+
+    def _of(self, name: str) -> ModularRing:
+        return ModularRing(int.from_bytes(f"{self._number} {name}".encode(), "big"))
