@@ -56,10 +56,12 @@ class FloatLoops:
     Attributes:
         mechanism: With values for its parameters; missing ones are drawn.
         seed: Of what is drawn.
+        generic: Draw a number for every symbol, whatever the file says.
     """
 
     mechanism: Mechanism
     seed: int = 0
+    generic: bool = False
 
     @cached_property
     def values(self) -> dict[str, float]:
@@ -68,7 +70,7 @@ class FloatLoops:
         names += [p.name for p in self.mechanism.parameters]
         found = {name: float(source.uniform(0.4, 1.9)) for name in names}
         for parameter in self.mechanism.parameters:
-            if parameter.value is not None:
+            if parameter.value is not None and not self.generic:
                 text = expression_text(parameter.value)
                 found[parameter.name] = value(text, found)
         return found
@@ -82,19 +84,28 @@ class FloatLoops:
         return np.array([self.number(part) for part in written])
 
     @cached_property
-    def twists(self) -> dict[str, Array]:
-        """(ω; v) of every freedom by its label, moments about the middle."""
+    def as_written(self) -> dict[str, Array]:
+        """(ω; v) of every freedom by its label, in the lengths of the file."""
         found: dict[str, Array] = {}
         for joint in self.mechanism.joints:
             labels = freedom_labels(joint, self.mechanism.space)
             found |= dict(zip(labels, self._twists(joint), strict=True))
-        # Lengths in units of the mechanism's size, so that singular values compare.
-        moments = [abs(t[3:]) for t in found.values() if np.any(t[:3])]
-        size = float(np.max(moments, initial=0.0)) or 1.0
-        return {
-            label: np.array([*t[:3], *(t[3:] / (size if np.any(t[:3]) else 1))])
-            for label, t in found.items()
-        }
+        return found
+
+    @cached_property
+    def size(self) -> float:
+        """The largest moment: a length that makes singular values compare."""
+        moments = [abs(t[3:]) for t in self.as_written.values() if np.any(t[:3])]
+        return float(np.max(moments, initial=0.0)) or 1.0
+
+    def in_its_size(self, twist: Array) -> Array:
+        """(ω; v) with lengths in units of the mechanism's size."""
+        return np.array([*twist[:3], *(twist[3:] / self.size)])
+
+    @cached_property
+    def twists(self) -> dict[str, Array]:
+        """(ω; v) of every freedom by its label, lengths in units of the size."""
+        return {label: self.in_its_size(t) for label, t in self.as_written.items()}
 
     def _twists(self, joint: Joint) -> list[Array]:
         if self.mechanism.geometry == "mdh" and joint.mdh is not None:
