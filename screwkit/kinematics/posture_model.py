@@ -21,6 +21,7 @@ from screwkit.errors import UndecidedError, UnknownNameError
 from screwkit.kinematics.freedoms import JointTwist
 from screwkit.kinematics.loops import Posture, ring_at
 from screwkit.kinematics.placement import joint_twists
+from screwkit.kinematics.table_closure import require_closed
 from screwkit.mechanism.joints import freedom_labels
 from screwkit.mechanism.model import Joint, JointType, Mechanism
 
@@ -112,13 +113,15 @@ def posture_model(mechanism: Mechanism, values: Posture | None = None) -> Postur
     Raises:
         UnknownNameError: If a symbol has no value.
         UndecidedError: If a joint has no place, no direction, or a value that is not
-            finite.
+            finite, or if the values leave a loop of an ``mdh`` table open.
     """
     known: dict[str, Array | float] = {}
     if mechanism.geometry == "reference":
         known.update(dict.fromkeys(mechanism.joint_variables, 0.0))
     known.update(values or {})
     ring = ring_at(mechanism, known)
+    if mechanism.geometry == "mdh":
+        require_closed(mechanism, ring)
     twists = joint_twists(mechanism, ring, mechanism.base)
     joints = tuple(_posed(joint, twists, mechanism) for joint in mechanism.joints)
     return PostureModel(

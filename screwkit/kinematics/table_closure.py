@@ -1,134 +1,112 @@
-"""Closed postures of tables that place a body twice.
+"""Tables that close loops: values of the variables at which every row agrees.
 
-Such a table ties joint variables together; whether they are closed at 0 is looked at
-first, then a posture is searched by nonlinear least squares, from 0 and from random
-postures.  The frames of the body by both ways must agree.
+Where joints of an ``mdh`` table place a link that others have placed already, the
+variables are tied together, and most values of them describe no posture at all.
 
-References: [KhalilKleinfinger1986] (closed chains).
+References: [KhalilKleinfinger1986].
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
 
 import numpy as np
 
-from screwkit.algebra.batch import Array
-from screwkit.kinematics.loops import ring_at
+from screwkit.algebra.batch import Array, BatchRing
+from screwkit.errors import UndecidedError
+from screwkit.kinematics.grasp import matrices
+from screwkit.kinematics.loops import ring_at, unknown_joint
 from screwkit.kinematics.placement import (
     parent_from_joint,
     placed_links,
     table_joints,
 )
-from screwkit.mechanism.model import MdhRow, Mechanism
+from screwkit.mechanism.model import Mechanism
 
-CLOSED = 1e-10
-"""Largest miss of a closed posture, in radians and in parts of the largest length."""
+OPEN = 1e-9
+"""What a table may miss where it places a link twice: radians and lengths."""
 
-STARTS = 24
-"""Random postures from which a closed one is searched."""
+NEWTON_STEPS = 6
+"""Steps that polish what the search has found."""
 
 
-@dataclass(frozen=True)
-class TableClosure:
-    """A posture of a table.
+def table_misses(mechanism: Mechanism, ring: BatchRing) -> Mapping[str, Array]:
+    """By what each joint misses the link that other joints have placed already.
 
-    Attributes:
-        values: By joint variable, in radians and file lengths.
-        miss: The largest difference of the two places of a body, relative.
-        joint: The row that misses most; empty where all agree.
-        at_zero: Whether the joint variables are 0.
+    Returns:
+        Differences of rotation matrix and shift by joint, batch + (12,); 0 for the
+        joints by which the links were placed.
     """
-
-    values: Mapping[str, float]
-    miss: float
-    joint: str
-    at_zero: bool
-
-    @property
-    def closed(self) -> bool:
-        """Whether every body is where all its rows put it."""
-        return self.miss <= CLOSED
-
-
-def table_closure(
-    mechanism: Mechanism, guess: Mapping[str, float] | None = None
-) -> TableClosure:
-    """The posture at 0 if it is closed, else the nearest closed one that is found.
-
-    Args:
-        mechanism: An ``mdh`` mechanism whose symbols all have values.
-        guess: Values of joint variables to begin with, and to keep.
-
-    Raises:
-        UnknownNameError: If a symbol has no value.
-    """
-    from scipy.optimize import least_squares  # noqa: PLC0415
-
-    kept = dict(guess or {})
-    names = [n for n in mechanism.joint_variables if n not in kept]
-    length = _length(mechanism)
-
-    def values(free: Array) -> dict[str, float]:
-        return kept | dict(zip(names, map(float, free), strict=True))
-
-    def misses(free: Array) -> Array:
-        return np.concatenate([m for _, m in _misses(mechanism, values(free), length)])
-
-    def report(free: Array) -> TableClosure:
-        found = [
-            (float(abs(m).max()), name)
-            for name, m in _misses(mechanism, values(free), length)
-        ]
-        miss, joint = max(found)
-        at_zero = not any(values(free).values())
-        return TableClosure(values(free), miss, joint if miss > CLOSED else "", at_zero)
-
-    origin = np.zeros(len(names))
-    best = report(origin)
-    random = np.random.default_rng(0)
-    for number in range(STARTS + 1):
-        if best.closed or not names:
-            break
-        start = origin if number == 0 else random.uniform(-np.pi, np.pi, len(names))
-        solution = least_squares(misses, start, xtol=1e-15, ftol=1e-15, gtol=1e-15)
-        trial = report(solution.x)
-        best = min(best, trial, key=lambda found: found.miss)
-    return best
-
-
-def _misses(
-    mechanism: Mechanism, values: Mapping[str, float], length: float
-) -> list[tuple[str, Array]]:
-    """Each row's own place of its child less the child's place, rotation and shift."""
-    ring = ring_at(mechanism, values)
     placed = placed_links(mechanism, ring, mechanism.base)
-    found = []
+    found = {}
     for joint in table_joints(mechanism):
-        if joint.parent not in placed or joint.child not in placed:
+        if joint.mdh is None or not {joint.parent, joint.child} <= placed.keys():
             continue
-        step = parent_from_joint(joint, joint.mdh or MdhRow(), ring)
-        here, there = placed[joint.parent].then(step, ring), placed[joint.child]
-        turned = [
-            float(a - b)
-            for one, other in zip(here.rotation, there.rotation, strict=True)
-            for a, b in zip(one, other, strict=True)
-        ]
-        shifted = [
-            float(a - b) / length
-            for a, b in zip(here.translation, there.translation, strict=True)
-        ]
-        found.append((joint.name, np.array([*turned, *shifted])))
+        step = parent_from_joint(joint, joint.mdh, ring)
+        turn, shift = matrices(placed[joint.parent].then(step, ring))
+        there, where = matrices(placed[joint.child])
+        parts = (turn - there).reshape(*turn.shape[:-2], 9), shift - where
+        batch = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
+        wide = [np.broadcast_to(p, (*batch, p.shape[-1])) for p in parts]
+        found[joint.name] = np.concatenate(wide, axis=-1)
     return found
 
 
-def _length(mechanism: Mechanism) -> float:
-    """The largest distance of a body's origin from that of the base, at 0."""
-    zeros = dict.fromkeys(mechanism.joint_variables, 0.0)
-    placed = placed_links(mechanism, ring_at(mechanism, zeros), mechanism.base)
-    distances = [
-        float(np.linalg.norm([float(x) for x in place.translation]))
-        for place in placed.values()
-    ]
-    return max([d for d in distances if d > 0], default=1.0)
+def require_closed(mechanism: Mechanism, ring: BatchRing) -> None:
+    """Refuse a posture at which the table contradicts itself.
+
+    Raises:
+        UndecidedError: With the joint that misses most.
+    """
+    sizes = {name: np.abs(miss) for name, miss in table_misses(mechanism, ring).items()}
+    worst = max(sizes, key=lambda name: float(sizes[name].max()), default="")
+    if worst and float(sizes[worst].max()) > OPEN:
+        raise UndecidedError(
+            f"the values leave the loop at joint {worst!r} open by "
+            f"{sizes[worst][:9].max():.2g} rad and {sizes[worst][9:].max():.2g}"
+        )
+
+
+def close_table(
+    mechanism: Mechanism, guess: Mapping[str, float], fixed: Collection[str] = ()
+) -> dict[str, float]:
+    """Values near a guess at which all rows of a table agree.
+
+    Args:
+        mechanism: An ``mdh`` mechanism.
+        guess: A value of every joint variable, in radians and file lengths.
+        fixed: Variables that keep the value of the guess.
+
+    Raises:
+        UndecidedError: If no such values were found near the guess.
+        UnknownNameError: If a variable has no value.
+        KeyError: If ``fixed`` names no variable.
+    """
+    from scipy.optimize import least_squares  # noqa: PLC0415
+
+    variables = mechanism.joint_variables
+    for name in fixed:
+        if name not in variables:
+            raise KeyError(unknown_joint(name, variables))
+    free = [name for name in variables if name not in fixed and name in guess]
+
+    def miss(values: Array) -> Array:
+        changed = {name: values[..., i] for i, name in enumerate(free)}
+        ring = ring_at(mechanism, {**guess, **changed})
+        parts = list(table_misses(mechanism, ring).values())
+        batch = values.shape[:-1]
+        wide = [np.broadcast_to(part, (*batch, 12)) for part in parts]
+        return np.concatenate([np.zeros((*batch, 1)), *wide], axis=-1)
+
+    def slope(values: Array) -> Array:
+        nudge = 1e-6 * np.eye(len(free))
+        return np.asarray((miss(values + nudge) - miss(values - nudge)).T / 2e-6)
+
+    values = np.array([float(guess[name]) for name in free])
+    if free:
+        values = least_squares(miss, values, slope).x
+        for _ in range(NEWTON_STEPS):
+            values = values - np.linalg.pinv(slope(values), rcond=1e-6) @ miss(values)
+    closed = {**guess, **{n: float(v) for n, v in zip(free, values, strict=True)}}
+    require_closed(mechanism, ring_at(mechanism, closed))
+    return closed
