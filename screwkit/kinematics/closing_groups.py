@@ -24,7 +24,7 @@ from screwkit.kinematics.chain_graph import (
     independent_cycles,
     with_parameters,
 )
-from screwkit.kinematics.higher_order import continuation
+from screwkit.kinematics.higher_order import continuation, fails_at_once
 from screwkit.kinematics.lie_closure import (
     ResidueScrew,
     Span,
@@ -205,6 +205,11 @@ def smooth_family(graph: ChainGraph, ends: Sequence[str]) -> Closing | None:
     if graph.width > LARGEST_BLOCK:
         closing = all_postures(graph)
         return None if closing.deficit else closing
+    plain = _Search(graph, ()).plain()
+    if not plain.deficit:
+        return plain
+    if fails_at_once(graph):
+        return None
     for family, tied, held in subfamilies(graph):
         closing = _Search(family, ends).best()
         if not closing.deficit and closing.graph.mobility == graph.mobility:

@@ -56,6 +56,11 @@ def continuation(graph: ChainGraph) -> Continuation:
     return Continuation(along.order_of_failure(highest), highest, identical)
 
 
+def fails_at_once(graph: ChainGraph) -> bool:
+    """Whether a generic motion of the first order fails in the second."""
+    return graph.mobility > 0 and curve(graph).order_of_failure(2) is not None
+
+
 def second_order_forms(graph: ChainGraph) -> tuple[Form, ...]:
     """One quadratic form for every independent self-stress of a block."""
     prime, rates = graph.prime, graph.rates
