@@ -1,14 +1,32 @@
-"""Mobility of the NAO's arms: published counts, and motion types by numbers alone."""
+"""Mobility: published counts of the NAO's arms, motion types and partitions.
+
+Motion types come from numbers alone, partitions from what constraint wrenches leave.
+"""
 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from kinematics.random_mechanisms import (
+    left_by_constraints,
+    mechanism_of,
+    random_mechanism,
+)
+from kinematics.random_mechanisms import (
+    rank as rational_rank,
+)
 from loci import nao
 from loci.numeric import Array, Posture, rank, values
 from scipy.linalg import null_space
+
+from screwkit.analyses.mobility import mobility
+from screwkit.case import load
+from screwkit.kinematics.network import Network
+from screwkit.mechanism.joints import CATALOGUE
+from screwkit.mechanism.model import Joint, JointType, Mechanism
 
 
 def test_the_counts_are_those_of_the_literature() -> None:
@@ -108,3 +126,70 @@ def test_finite_motion_is_proved() -> None:
     full_cycle = nao.the_mobility().full_cycle
     assert full_cycle.mobility == (4,)
     assert full_cycle.status == "proved"
+
+
+def connected(seed: int) -> Mechanism:
+    """A random mechanism whose platform is connected with its base."""
+    while True:
+        mechanism = random_mechanism(seed, 4, 2)
+        network = Network(mechanism)
+        if network.connected(mechanism.base, mechanism.platform):
+            return mechanism
+        seed += 1000
+
+
+def twists_left(mechanism: Mechanism) -> tuple[int, int]:
+    """Mobility, and the platform's freedoms, with no loop and no twist."""
+    roots = [group[0] for group in Network(mechanism).components]
+    found = left_by_constraints(mechanism, roots)
+    relative = found.between(mechanism.platform, mechanism.base)
+    return found.mobility, rational_rank(relative)
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_partition_by_its_definition(seed: int) -> None:
+    """[BicchiMelchiorri] §8: whole, platform, platform held, all but contacts held."""
+    mechanism = connected(seed)
+    partition = mobility(Network(mechanism)).partition
+    assert (partition.mobility, partition.connectivity) == twists_left(mechanism)
+    grip = Joint("grip", JointType.FIXED, mechanism.base, mechanism.platform)
+    held = replace(mechanism, joints=(*mechanism.joints, grip))
+    assert partition.redundancy == twists_left(held)[0]
+    stiff = tuple(
+        j if CATALOGUE[j.type].contact else replace(j, type=JointType.FIXED)
+        for j in mechanism.joints
+    )
+    slipping = replace(mechanism, joints=stiff)
+    assert partition.indeterminacy == twists_left(slipping)[1]
+
+
+def test_loose_bodies_are_named() -> None:
+    found = mobility(Network(mechanism_of([], ["ground", "one", "two"])))
+    assert found.loose_bodies == ("one", "two")
+    assert found.topology.components == 3
+    assert found.platform.twist_dimension == 6
+    assert nao.the_mobility().loose_bodies == ()
+
+
+def test_connectivity_of_the_arms() -> None:
+    """Along a limb each body has at most one freedom more than the one before."""
+    connectivity = nao.the_mobility().connectivity
+    assert connectivity is not None
+    place = {body: i for i, body in enumerate(connectivity.bodies)}
+    mechanism = nao.mechanism()
+    for joint in mechanism.joints:
+        row = connectivity.table[place[joint.parent]]
+        assert row[place[joint.child]] <= len(joint.variables)
+    base, end = place[mechanism.base], place[mechanism.platform]
+    assert connectivity.table[base][end] == nao.the_mobility().platform.twist_dimension
+
+
+def test_special_values_are_pointed_out() -> None:
+    """Where the legs are parallel, ranks and freedoms are not those of the rest."""
+    usual = mobility(Network(load("3upu_tsai").mechanism))
+    special = mobility(Network(load("3upu_tsai", variant="parallel_legs").mechanism))
+    assert usual.at_values is not None
+    assert special.at_values is not None
+    assert usual.at_values.differences == ()
+    assert special.loop_rank == usual.loop_rank > special.at_values.loop_rank
+    assert any("loop rank" in each for each in special.at_values.differences)
