@@ -151,8 +151,8 @@ def _exponential(
     """A displacement of the screw's one-parameter group, by Cayley's parameter.
 
     The rotation is I + 2 (t[ω] + t²[ω]²) / (1 + t²ω·ω), so that opposite values undo
-    each other.  The advance of a helix per pitch is no algebraic function of t, and an
-    independent residue.
+    each other.  The angle, which a helix advances by, is no algebraic function of t,
+    and an independent residue.
     """
     w, v = screw[:3], screw[3:]
     square = sum(x * x for x in w) % prime

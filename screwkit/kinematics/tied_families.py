@@ -37,20 +37,20 @@ def subfamilies(graph: ChainGraph) -> Iterator[tuple[ChainGraph, bool, bool]]:
 
 
 def _tied_groups(graph: ChainGraph) -> list[dict[int, int]]:
-    """Parameters of parallel joints of one pitch with equal or opposite rates.
+    """Parameters of parallel joints with equal or opposite rates.
 
     Each group gives the factor from its first parameter to the others; a parameter in
     one group at most.  Compared are the rates of all motions at the posture.
     """
     prime, groups, taken = graph.prime, [], set[int]()
-    moving = {e.parameter: _axis(e.screw, prime) for e in graph.edges if any(e.screw)}
+    moving = {e.parameter: _axis(e.screw) for e in graph.edges if any(e.screw)}
     columns = {p: [rates.get(p, 0) for rates in graph.rates] for p in moving}
-    for first, (kind, axis) in moving.items():
+    for first, (turns, axis) in moving.items():
         if first in taken or not any(columns[first]):
             continue
         group = {first: 1}
-        for other, (other_kind, other_axis) in moving.items():
-            if other <= first or other in taken or other_kind != kind:
+        for other, (other_turns, other_axis) in moving.items():
+            if other <= first or other in taken or other_turns != turns:
                 continue
             ratio = _ratio(axis, other_axis, prime)
             for factor in (ratio, -ratio) if ratio else ():
@@ -64,14 +64,10 @@ def _tied_groups(graph: ChainGraph) -> list[dict[int, int]]:
     return groups
 
 
-def _axis(screw: ResidueScrew, prime: int) -> tuple[int, ResidueScrew]:
-    """Pitch and axis of a rotation or helix; −1 and direction of a translation."""
-    w, v = screw[:3], screw[3:]
-    square = sum(x * x for x in w) % prime
-    if not square:
-        return -1, v
-    pitch = sum(x * y for x, y in zip(w, v, strict=True)) * pow(square, -1, prime)
-    return pitch % prime, w
+def _axis(screw: ResidueScrew) -> tuple[bool, ResidueScrew]:
+    """Whether it turns, and the axis; else the direction of the translation."""
+    turns = any(screw[:3])
+    return turns, screw[:3] if turns else screw[3:]
 
 
 def _ratio(first: Sequence[int], second: Sequence[int], prime: int) -> int:
