@@ -118,6 +118,22 @@ def test_branches_of_different_dimension_meet() -> None:
     }
 
 
+def test_a_folded_sarrus_linkage() -> None:
+    """Folded flat, its legs swing freely while the plates lie on each other."""
+    joints = []
+    for leg, along in (("a", (1.0, 0.0, 0.0)), ("b", (0.0, 1.0, 0.0))):
+        across = np.cross(Z, along)
+        places = (along, 2 * np.array(along), along)
+        bodies = ("base", f"{leg}1", f"{leg}2", "plate")
+        joints += [
+            turn(f"{leg}{k}", bodies[k], bodies[k + 1], across, places[k])
+            for k in range(3)
+        ]
+    found = finite_motion(model("base", "plate", *joints))
+    assert found.mobility == (1, 2)
+    assert looks(found) == {(2, "0T0R", "at rest"), (1, "1T0R", "straight line")}
+
+
 def test_mobility_below_that_of_every_posture() -> None:
     found = finite_motion(shaky_and_moving())
     (branch,) = found.branches

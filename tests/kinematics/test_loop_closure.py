@@ -99,6 +99,15 @@ def test_ball_joints_have_coordinates_too() -> None:
     assert gap(there, np.zeros(8)) < 1e-11
 
 
+def test_one_freedom_of_a_ball_joint_can_be_driven() -> None:
+    linkage = rssr()
+    found = moved_to(linkage, {"A": 0.2, "B:0": 0.3})
+    assert found.closed
+    reached = found.coordinates[-1]
+    assert reached[[0, 1]] == pytest.approx([0.2, 0.3])
+    assert gap(linkage, reached) < 1e-11
+
+
 def test_a_motion_stops_at_its_dead_centre() -> None:
     """The slider reaches crank + rod, and is not taken further."""
     linkage = slider_crank(1.0, 2.5)
