@@ -306,6 +306,39 @@ def test_balls_at_both_ends_leave_a_spin(platform: tuple[Point, ...]) -> None:
     assert proved(tripod) == (6,)
 
 
+@pytest.mark.parametrize(("quarters", "rates"), [(0, 6), (1, 7), (3, 7)])
+def test_an_octahedron_is_shaky_at_a_right_angle(quarters: int, rates: int) -> None:
+    # Fichter's singular posture: six rods of fixed length let the platform twitch.
+    corners = [("1", "-sqrt(3)"), ("1", "sqrt(3)"), ("-2", "0")]
+    for _ in range(quarters):
+        corners = [(f"-({y})", x) for x, y in corners]
+    feet = [(4, 0, 0), (-2, "2*sqrt(3)", 0), (-2, "-2*sqrt(3)", 0)]
+    joints = []
+    for k, (b, p) in enumerate([(0, 0), (0, 1), (1, 1), (1, 2), (2, 2), (2, 0)]):
+        joints += [
+            ball(f"S{k}", "base", f"rod{k}", feet[b]),
+            ball(f"T{k}", f"rod{k}", "table", (*corners[p], 3)),
+        ]
+    truss = network(*joints, platform="table")
+    assert truss.motion.mobility == rates
+    assert proved(truss) == (6,), "nothing but the spin of the rods"
+
+
+def test_a_hinge_and_a_helix_translate_together() -> None:
+    # Parallel, turned oppositely, they shift; with the x screws that is all it takes.
+    loop = network(
+        screw_joint("a", "b0", "b1", (0, -4, -1), X, 1),
+        hinge("b", "b1", "b2", (0, -2, 0), X),
+        hinge("c", "b2", "b3", (-1, -3, 0), Z),
+        screw_joint("d", "b3", "b4", (-1, -1, 0), Z, 1),
+        screw_joint("e", "b4", "b5", (0, -3, 3), X, 1),
+        slider("f", "b5", "b0", Y),
+        platform="b3",
+    )
+    assert loop.motion.rank == 5
+    assert proved(loop) == (1,)
+
+
 def test_symbols_are_proved_for_general_values() -> None:
     parameters = "parameters: {a: {}, b: {}, c: {}, d: {}}\n"
     joints = [

@@ -1,0 +1,37 @@
+"""Truncated series against the textbook's coefficients."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from screwkit.algebra.series_modulo import SeriesRing, first_order
+
+PRIME = 2**61 - 1
+RING = SeriesRing(PRIME, 8)
+
+
+def residue(value: Fraction) -> int:
+    return value.numerator * pow(value.denominator, -1, PRIME) % PRIME
+
+
+def test_arc_tangent_by_leibniz() -> None:
+    series = RING.scaled_arctangent(RING.series([0, 1]), 1)
+    signs = [0, 1, 0, -1, 0, 1, 0, -1]
+    expected = [residue(Fraction(sign, max(k, 1))) for k, sign in enumerate(signs)]
+    assert [int(c) for c in series.coeffs()] == expected
+
+
+def test_products_are_cut_off() -> None:
+    ring = RING.series([1] * 12)
+    assert [int(c) for c in RING.times(ring, ring).coeffs()] == list(range(1, 9))
+    assert RING.cut(SeriesRing(PRIME, 20).series(range(20))).length() == 8
+
+
+def test_reciprocal_of_the_geometric_series() -> None:
+    reciprocal = RING.reciprocal(RING.series([1, PRIME - 1]))
+    assert [int(c) for c in reciprocal.coeffs()] == [1] * 8
+
+
+def test_first_order() -> None:
+    assert first_order(RING.series([])) is None
+    assert first_order(RING.series([0, 0, 5, 1])) == 2
