@@ -286,14 +286,14 @@ def _refuse_open_table(mechanism: Mechanism, path: Path) -> None:
 
     if mechanism.geometry != "mdh" or not why_tied(mechanism):
         return
-    from screwkit.kinematics.table_closure import table_closure  # noqa: PLC0415
+    from screwkit.kinematics.table_search import closed_posture  # noqa: PLC0415
     from screwkit.kinematics.values import (  # noqa: PLC0415
         declared_values,
         with_values,
     )
 
     try:
-        found = table_closure(with_values(mechanism, declared_values(mechanism)))
+        found = closed_posture(with_values(mechanism, declared_values(mechanism)))
     except UnknownNameError:
         return  # without numbers there is no posture to look at
     if found.closed:
@@ -303,8 +303,8 @@ def _refuse_open_table(mechanism: Mechanism, path: Path) -> None:
     twice = mechanism.joint(found.joint).child
     message = (
         f"the posture does not close: joint {found.joint!r} places {twice!r}, which "
-        f"another row places already, and no values of the joint variables bring the "
-        f"two together (they miss by {found.miss:.2g} of the mechanism's size); check "
+        f"another row places already, and no values of the joint variables were found "
+        f"that bring the two together (at best they miss by {found.miss:.2g}); check "
         f"the lengths, or attach it by a fixed joint without a row"
     )
     raise MechanismFileError(str(path), (Fault(*place, message),))

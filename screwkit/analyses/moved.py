@@ -17,7 +17,7 @@ from screwkit.kinematics.moved_posture import moved_posture
 from screwkit.kinematics.network import Network
 from screwkit.kinematics.posture_model import posture_model
 from screwkit.kinematics.posture_numbers import numbers_at
-from screwkit.kinematics.table_closure import TableClosure, table_closure
+from screwkit.kinematics.table_search import TableClosure, closed_posture
 from screwkit.kinematics.values import declared_values, with_values
 from screwkit.results.mobility import (
     Actuation,
@@ -138,10 +138,10 @@ def closed_table(network: Network) -> TableClosure | None:
     if mechanism.geometry != "mdh" or not network.tied:
         return None
     mechanism = with_values(mechanism, declared_values(mechanism))
-    found = table_closure(mechanism)
+    found = closed_posture(mechanism)
     if not found.closed:
         raise UndecidedError(
             f"no closed posture was found: joint {found.joint!r} misses its body by "
-            f"{found.miss:.2g} of the mechanism's size at best"
+            f"{found.miss:.2g} at best"
         )
     return None if found.at_zero else found
