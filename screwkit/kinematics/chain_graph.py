@@ -54,11 +54,13 @@ class ChainGraph:
         edges: Parallel edges are allowed.
         width: Number of parameters.
         prime: The modulus.
+        loops: A basis of short loops by the names of edges, where it is known.
     """
 
     edges: tuple[Edge, ...]
     width: int
     prime: int
+    loops: tuple[tuple[tuple[str, int], ...], ...] = ()
 
     @cached_property
     def neighbours(self) -> Mapping[str, Sequence[tuple[int, int, str]]]:
@@ -87,8 +89,14 @@ class ChainGraph:
 
     @cached_property
     def fundamental_cycles(self) -> tuple[Cycle, ...]:
-        """One cycle for every edge outside a tree of shortest paths."""
+        """A basis: the known loops, or one for every edge outside a tree."""
         paths = self.paths
+        if self.loops:
+            number_of = {edge.name: number for number, edge in enumerate(self.edges)}
+            return tuple(
+                tuple((number_of[name], sign) for name, sign in loop)
+                for loop in self.loops
+            )
         tree = {path[-1][0] for path in paths.values() if path}
         cycles = []
         for number, edge in enumerate(self.edges):
@@ -209,11 +217,20 @@ class ChainGraph:
         groups: dict[int, list[Edge]] = {}
         for number in sorted(looped):
             groups.setdefault(find(number), []).append(self.edges[number])
-        return tuple(with_parameters(edges, self.prime) for edges in groups.values())
+        return tuple(
+            with_parameters(edges, self.prime, self.loops) for edges in groups.values()
+        )
 
 
-def with_parameters(edges: Iterable[Edge], prime: int) -> ChainGraph:
-    """The edges alone, their parameters numbered anew; ties stay ties."""
+def with_parameters(
+    edges: Iterable[Edge],
+    prime: int,
+    loops: Iterable[tuple[tuple[str, int], ...]] = (),
+) -> ChainGraph:
+    """The edges alone, their parameters numbered anew; ties stay ties.
+
+    Of the loops those on these edges are kept.
+    """
     numbers: dict[int, int] = {}
     kept = []
     for edge in edges:
@@ -222,7 +239,9 @@ def with_parameters(edges: Iterable[Edge], prime: int) -> ChainGraph:
             kept.append(replace(edge, parameter=number))
         else:
             kept.append(replace(edge, parameter=-1))
-    return ChainGraph(tuple(kept), len(numbers), prime)
+    names = {edge.name for edge in kept}
+    own = tuple(loop for loop in loops if loop[0][0] in names)
+    return ChainGraph(tuple(kept), len(numbers), prime, own)
 
 
 def chain_graph(motion: Motion, held: Collection[str] = ()) -> ChainGraph:
@@ -241,7 +260,16 @@ def chain_graph(motion: Motion, held: Collection[str] = ()) -> ChainGraph:
             here = there
         if not labels:
             edges.append(Edge(joint.name, joint.parent, joint.child))
-    return with_parameters(edges, posture.prime)
+    parts = {joint: labels or (joint,) for joint, labels in network.labels_of.items()}
+    loops = (
+        tuple(
+            (name, sign)
+            for joint, sign in loop
+            for name in (parts[joint] if sign > 0 else reversed(parts[joint]))
+        )
+        for loop in network.loops
+    )
+    return with_parameters(edges, posture.prime, loops)
 
 
 def independent_cycles(

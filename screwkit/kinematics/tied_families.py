@@ -119,4 +119,4 @@ def subfamily(
             edges.append(replace(edge, screw=screw, parameter=parameter))
         else:
             edges.append(edge)
-    return with_parameters(edges, prime)
+    return with_parameters(edges, prime, graph.loops)
