@@ -102,9 +102,25 @@ def freedoms(answer: Mobility) -> tuple[Text, ...]:
     of_mechanism: Text = (
         Words("the mechanism has "),
         Strong(counted(answer.instantaneous_mobility, "freedom")),
-        Words(f"; {idle(answer)}, {redundant(answer.redundant_constraints)}"),
+        Words(
+            f"{finite(answer)}; {idle(answer)}, "
+            f"{redundant(answer.redundant_constraints)}"
+        ),
     )
     return of_platform, of_mechanism
+
+
+def finite(answer: Mobility) -> str:
+    """Whether the freedoms are finite motions, in a word or two; empty if undecided."""
+    cycle, movable = answer.full_cycle, answer.instantaneous_mobility
+    if not movable or not cycle.mobility:
+        return ""
+    if cycle.mobility == (movable,):
+        return ", finite"
+    if not any(cycle.mobility):
+        return ", none of them finite: it is shaky"
+    numbers = " or ".join(map(str, cycle.mobility))
+    return f" at once, of finite motion {numbers}"
 
 
 def idle(answer: Mobility) -> str:
