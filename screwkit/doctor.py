@@ -37,7 +37,7 @@ _PACKAGES: Final = (
     ("pydantic", "reading mechanism files", True),
     ("PyYAML", "reading mechanism files", True),
     ("numpy", "numbers over many postures", True),
-    ("scipy", "second opinions in the tests", False),
+    ("scipy", "postures with closed loops", True),
     ("sympy", "expressions in and out of Python", True),
     ("typer", "the command line", True),
     ("rich", "progress on a terminal", True),

@@ -104,6 +104,7 @@ class _Child:
             stdout=subprocess.PIPE,
             stderr=errors,
             start_new_session=True,
+            env={"OPENBLAS_NUM_THREADS": "1", **os.environ},  # small matrices only
         )
         with contextlib.suppress(BrokenPipeError):
             assert self.process.stdin is not None

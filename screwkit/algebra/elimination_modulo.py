@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from heapq import heapify, heappop, heappush
 
 SparseRow = Mapping[int, int]
 """Residues by column; zeros absent."""
@@ -82,26 +83,29 @@ def eliminated(rows: Iterable[SparseRow], width: int, prime: int) -> Eliminated:
         prime: The modulus.
     """
     pivots: dict[int, dict[int, int]] = {}
+    order: dict[int, int] = {}
     for source in rows:
         row = dict(source)
-        # A pivot row holds no earlier pivot, so one pass over its entries suffices
-        # for each pivot that occurs; new ones are met until none is left.
-        pending = [column for column in row if column in pivots]
+        # A pivot row holds no earlier pivot, so each is eliminated once if they are
+        # taken in the order in which they were found.
+        pending = [(order[column], column) for column in row if column in pivots]
+        heapify(pending)
         while pending:
-            column = pending.pop()
+            _, column = heappop(pending)
             factor = row.pop(column, 0)
             if not factor:
                 continue
             for other, value in pivots[column].items():
+                if other not in row and other in order:
+                    heappush(pending, (order[other], other))
                 left = (row.get(other, 0) - factor * value) % prime
                 if left:
-                    if other not in row and other in pivots:
-                        pending.append(other)
                     row[other] = left
                 else:
                     row.pop(other, None)
         if row:
             pivot = min(row)
             inverse = pow(row.pop(pivot), -1, prime)
+            order[pivot] = len(order)
             pivots[pivot] = {c: x * inverse % prime for c, x in row.items()}
     return Eliminated(prime, width, pivots)

@@ -117,9 +117,6 @@ class CountingPrime(int):
         return value % int(self)
 
 
-@pytest.mark.xfail(
-    reason="a pivot that later pivots bring back is eliminated again, once for each way"
-)
 def test_each_pivot_is_eliminated_once() -> None:
     """A row that meets a chain of pivots, each holding the two that follow it.
 
