@@ -17,7 +17,7 @@ from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.analyses.identified import ScrewWriter
 from screwkit.analyses.platform import motion_class
-from screwkit.errors import UndecidedError, UnknownNameError
+from screwkit.errors import TooLargeError, UndecidedError, UnknownNameError
 from screwkit.kinematics.exact_postures import at_zero
 from screwkit.kinematics.frames import framed_twists
 from screwkit.kinematics.network import Network
@@ -58,8 +58,9 @@ def relative_motion(
     if not network.connected(body, other):
         raise UndecidedError(f"no joints connect {body!r} with {other!r}")
     dimension = len(network.motion.twists_of(body, other))
-    found = _in_symbols(network, body, other)
-    if found is None or len(found[1]) != dimension:
+    found = _in_symbols(network, body, other) if dimension else None
+    symbolic = found is not None and len(found[1]) == dimension
+    if found is None or not symbolic:
         found = _at_numbers(network, body, other)
     ring, columns = found
     writer = ScrewWriter(ring, linear=order == "linear")
@@ -77,6 +78,7 @@ def relative_motion(
         wrench_dimension=len(wrenches),
         wrenches=tuple(writer.wrench(FoundScrew(column)) for column in wrenches),
         motion_class=motion_class(network, body, other),
+        generic=symbolic,
     )
 
 
@@ -85,17 +87,23 @@ def _in_symbols(
 ) -> tuple[TrigonometricRing, tuple[Column, ...]] | None:
     """A basis over the exact ring; None where the joints between do not nest."""
     mechanism = at_zero(network.mechanism) if network.tied else network.mechanism
-    if mechanism.geometry == "mdh" and network.loops:
-        return None  # fixed joints without a row place nothing
     chain = chain_between(mechanism.joints, other, body)
     if chain is None:
         return None
     names = joints_of(chain)
-    framed = framed_twists(mechanism, names, mechanism.base, merged=False)
+    # The rows of a table are placed from the base on, whatever lies between the two.
+    placing = (
+        [j.name for j in mechanism.joints] if mechanism.geometry == "mdh" else names
+    )
+    framed = framed_twists(mechanism, placing, mechanism.base, merged=False)
     columns: dict[str, list[Column]] = {name: [] for name in names}
     for label, column in zip(framed.joints, framed.columns, strict=True):
-        columns[network.joint_of[label]].append(column)
-    spanning = [c for e in chain for c in element_columns(framed.ring, e, columns)]
+        if network.joint_of[label] in columns:
+            columns[network.joint_of[label]].append(column)
+    try:
+        spanning = [c for e in chain for c in element_columns(framed.ring, e, columns)]
+    except TooLargeError:
+        return None
     chosen = independent(framed.ring, spanning)
     return framed.ring, tuple(shortened(framed.ring, spanning[i]) for i in chosen)
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from screwkit.algebra.trigonometric import TrigonometricRing
+from screwkit.errors import TooLargeError
 from screwkit.mechanism.model import Joint
 from screwkit.screw.nullspace import Column, reciprocal_basis
 
@@ -29,6 +30,9 @@ class Block:
         """All its joints."""
         return tuple(name for chain in self.branches for name in joints_of(chain))
 
+
+LARGEST = 400
+"""Terms of all wrenches of a block together, beyond which it is not worked out."""
 
 Element: TypeAlias = str | Block
 """A joint by its name, or a block."""
@@ -130,6 +134,9 @@ def element_columns(
     Returns:
         The joint's own twists; of a block, generically a basis of the twists that all
         its chains allow.
+
+    Raises:
+        TooLargeError: If a block's wrenches are too long to find its twists in symbols.
     """
     if isinstance(element, str):
         return tuple(columns[element])
@@ -137,4 +144,10 @@ def element_columns(
     for branch in element.branches:
         spanned = [c for inner in branch for c in element_columns(ring, inner, columns)]
         wrenches += reciprocal_basis(ring, spanned).columns
+    size = sum(len(entry) for column in wrenches for entry in column)
+    if size > LARGEST:
+        raise TooLargeError(
+            f"the wrenches of {', '.join(element.joints)} have {size} terms, too many "
+            f"for a system in symbols"
+        )
     return reciprocal_basis(ring, wrenches).columns

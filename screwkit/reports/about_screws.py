@@ -70,7 +70,8 @@ def relative_blocks(answer: RelativeMotion) -> tuple[Block, ...]:
     ]
     if answer.motion_class is not None:
         blocks.append(Paragraph(prose(answer.motion_class.description), 1))
-    blocks.append(Paragraph(words(convention(answer)), 1))
+    where = "" if answer.generic else "; at the values of the file"
+    blocks.append(Paragraph(words(convention(answer) + where), 1))
     blocks += screw_listings(answer.twists, answer.wrenches, answer.order)
     return tuple(blocks)
 

@@ -98,6 +98,8 @@ class RelativeMotion:
         twists: A basis.
         wrenches: A basis of the wrenches that do no work on any of them.
         motion_class: Whatever the basis.
+        generic: Whether the basis is one in the symbols; else it holds at the values of
+            the file.
     """
 
     case: str
@@ -112,3 +114,4 @@ class RelativeMotion:
     wrench_dimension: int
     wrenches: tuple[IdentifiedScrew, ...]
     motion_class: MotionClass | None = None
+    generic: bool = True
