@@ -56,8 +56,19 @@ def screws(case: Case, order: str = "angular", progress: Progress = silent) -> S
         progress: Told about each stage.
     """
     from screwkit.analyses import screws as analysis  # noqa: PLC0415
+    from screwkit.kinematics.assembly import Assembly  # noqa: PLC0415
 
-    return analysis.screws(case.assembly, order=order, progress=progress)
+    try:
+        assembly = case.assembly
+    except UndecidedError:
+        # Limbs that are no nesting of chains have their screws at numbers only.
+        at_values = case.network.at_values
+        if at_values is None:
+            raise
+        assembly = Assembly(at_values.mechanism)
+        answer = analysis.screws(assembly, order=order, progress=progress)
+        return replace(answer, generic=False)
+    return analysis.screws(assembly, order=order, progress=progress)
 
 
 def relative_motion(

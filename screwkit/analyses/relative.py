@@ -10,6 +10,7 @@ References: [Hunt1978], §13.
 from __future__ import annotations
 
 from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.expression import Expression
 from screwkit.algebra.modular import echelon
 from screwkit.algebra.names import did_you_mean
 from screwkit.algebra.reconstruction import Reconstruction
@@ -20,7 +21,7 @@ from screwkit.analyses.platform import motion_class
 from screwkit.errors import TooLargeError, UndecidedError, UnknownNameError
 from screwkit.kinematics.exact_postures import at_zero
 from screwkit.kinematics.frames import framed_twists
-from screwkit.kinematics.network import Network
+from screwkit.kinematics.network import Motion, Network
 from screwkit.kinematics.series_parallel import (
     chain_between,
     element_columns,
@@ -29,6 +30,9 @@ from screwkit.kinematics.series_parallel import (
 from screwkit.loci.reciprocals import FoundScrew
 from screwkit.results.screws import RelativeMotion
 from screwkit.screw.nullspace import Column, independent, reciprocal_basis, shortened
+
+LARGEST = 400
+"""Terms of a block's wrenches beyond which its twists are found at numbers."""
 
 
 def relative_motion(
@@ -101,7 +105,9 @@ def _in_symbols(
         if network.joint_of[label] in columns:
             columns[network.joint_of[label]].append(column)
     try:
-        spanning = [c for e in chain for c in element_columns(framed.ring, e, columns)]
+        spanning = [
+            c for e in chain for c in element_columns(framed.ring, e, columns, LARGEST)
+        ]
     except TooLargeError:
         return None
     chosen = independent(framed.ring, spanning)
@@ -111,8 +117,29 @@ def _in_symbols(
 def _at_numbers(
     network: Network, body: str, other: str
 ) -> tuple[TrigonometricRing, tuple[Column, ...]]:
-    at = network.at_values or network
-    one, two = at.motions
+    rows = twists_in_numbers((network.at_values or network).motions, body, other)
+    survey = SurveyRing()
+    for row in rows:
+        for entry in row:
+            evaluate(entry, survey)
+    ring = TrigonometricRing(survey)
+    return ring, tuple(tuple(evaluate(e, ring) for e in row) for row in rows)
+
+
+def twists_in_numbers(
+    motions: tuple[Motion, Motion], body: str, other: str
+) -> list[list[Expression]]:
+    """A basis of the twists of a body relative to another, as exact numbers.
+
+    Args:
+        motions: At the same posture modulo two primes.
+        body: A link.
+        other: Another one, connected with it.
+
+    Raises:
+        UndecidedError: If the posture has symbols, so that no numbers come back.
+    """
+    one, two = motions
     known = Reconstruction(
         one.posture.field,
         (one.posture.prime, two.posture.prime),
@@ -129,9 +156,4 @@ def _at_numbers(
                 f"without values for the symbols (--set) no basis is written"
             )
         rows.append([number.expression for number in vector])
-    survey = SurveyRing()
-    for row in rows:
-        for entry in row:
-            evaluate(entry, survey)
-    ring = TrigonometricRing(survey)
-    return ring, tuple(tuple(evaluate(e, ring) for e in row) for row in rows)
+    return rows

@@ -12,10 +12,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.analyses.identified import ScrewWriter
+from screwkit.analyses.relative import twists_in_numbers
 from screwkit.conventions import SCREW_DIMENSION
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.frames import FramedTwists
+from screwkit.kinematics.network import Network, motion
 from screwkit.kinematics.placement import joint_twists, placed_links
 from screwkit.kinematics.series_parallel import element_columns
 from screwkit.loci.reciprocals import Finder, FoundScrew, span_of
@@ -122,6 +126,8 @@ def _spanning(
     """Columns that span what a limb allows the platform, with one freedom locked."""
     if limb.elements is None:
         return tuple(framed.column(name) for name in limb.joints if name != locked)
+    if not limb.nested:
+        return _in_numbers(assembly, limb, framed.ring, locked)
     columns: dict[str, list[Column]] = {name: [] for name in limb.chain}
     for label in limb.joints:
         if label != locked:
@@ -133,6 +139,19 @@ def _spanning(
         for element in limb.elements
         for column in element_columns(framed.ring, element, columns)
     )
+
+
+def _in_numbers(
+    assembly: Assembly, limb: LimbChain, ring: TrigonometricRing, locked: str
+) -> tuple[Column, ...]:
+    """The twists of a limb whose joints do not nest, from its closure equations."""
+    mechanism = assembly.mechanism
+    ends = mechanism.base, mechanism.platform
+    part = Network(mechanism).part(limb.chain, ends)
+    held = (locked,) if locked else ()
+    motions = [motion(part, posture, held) for posture in part.postures]
+    rows = twists_in_numbers((motions[0], motions[1]), ends[1], ends[0])
+    return tuple(tuple(evaluate(entry, ring) for entry in row) for row in rows)
 
 
 def _part(framed: FramedTwists, limb: LimbChain) -> FramedTwists:

@@ -47,6 +47,8 @@ class LimbChain:
         links: The links it passes, base first, as far as an mdh table places them.
         elements: Joints and blocks from base to platform; None for a serial chain,
             which is its joints.
+        nested: False where the joints are no nesting of chains; then the limb's twists
+            are known at numbers only.
     """
 
     name: str
@@ -55,6 +57,7 @@ class LimbChain:
     chain: tuple[str, ...]
     links: tuple[str, ...]
     elements: Chain | None = None
+    nested: bool = True
 
 
 class Assembly:
@@ -248,16 +251,26 @@ def _limb_chains(mechanism: Mechanism) -> tuple[LimbChain, ...]:
             continue
         own = [joint for joint in mechanism.joints if joint.name in limb.joints]
         elements = chain_between(own, mechanism.base, mechanism.platform)
-        if elements is None or mechanism.geometry == "mdh":
+        if mechanism.geometry == "mdh" or (elements is None and mechanism.parameters):
             raise UndecidedError(
                 f"limb {limb.name!r} is no nesting of chains; its screws are found at "
-                f"exact postures (`mobility`), not as expressions"
+                f"numbers, not as expressions: --set all symbols"
             )
+        nested = elements is not None
+        elements = elements or tuple(joint.name for joint in own)
         chain = joints_of(elements)
         inside = [joint for joint in own if joint.name in chain]
         labels = [x for j in inside for x in freedom_labels(j, mechanism.space)]
         found.append(
-            LimbChain(limb.name, tuple(labels), (1,) * len(labels), chain, (), elements)
+            LimbChain(
+                limb.name,
+                tuple(labels),
+                (1,) * len(labels),
+                chain,
+                (),
+                elements,
+                nested,
+            )
         )
     return tuple(found)
 

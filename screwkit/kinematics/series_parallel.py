@@ -31,9 +31,6 @@ class Block:
         return tuple(name for chain in self.branches for name in joints_of(chain))
 
 
-LARGEST = 400
-"""Terms of all wrenches of a block together, beyond which it is not worked out."""
-
 Element: TypeAlias = str | Block
 """A joint by its name, or a block."""
 
@@ -123,6 +120,7 @@ def element_columns(
     ring: TrigonometricRing,
     element: Element,
     columns: Mapping[str, Sequence[Column]],
+    largest: int | None = None,
 ) -> tuple[Column, ...]:
     """What an element lets the bodies at its ends do relative to each other.
 
@@ -130,6 +128,7 @@ def element_columns(
         ring: Of the polynomials.
         element: A joint or a block.
         columns: The twists of every joint's freedoms, by joint.
+        largest: Terms of all wrenches of a block together, beyond which it is refused.
 
     Returns:
         The joint's own twists; of a block, generically a basis of the twists that all
@@ -142,10 +141,14 @@ def element_columns(
         return tuple(columns[element])
     wrenches: list[Column] = []
     for branch in element.branches:
-        spanned = [c for inner in branch for c in element_columns(ring, inner, columns)]
+        spanned = [
+            c
+            for inner in branch
+            for c in element_columns(ring, inner, columns, largest)
+        ]
         wrenches += reciprocal_basis(ring, spanned).columns
     size = sum(len(entry) for column in wrenches for entry in column)
-    if size > LARGEST:
+    if largest is not None and size > largest:
         raise TooLargeError(
             f"the wrenches of {', '.join(element.joints)} have {size} terms, too many "
             f"for a system in symbols"

@@ -32,7 +32,8 @@ _READABLE = 240
 
 def screws_blocks(answer: Screws) -> tuple[Block, ...]:
     """The whole answer."""
-    blocks: list[Block] = [Paragraph(words(convention(answer)), 1)]
+    where = "" if answer.generic else "; at the values of the file"
+    blocks: list[Block] = [Paragraph(words(convention(answer) + where), 1)]
     for limb in answer.limbs:
         blocks += [
             Heading(

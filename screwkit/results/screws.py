@@ -73,6 +73,8 @@ class Screws:
         order: ``direction-moment`` or ``moment-direction``.
         frame: The link whose axes are used.
         point: The point about which moments are taken, ``origin``.
+        generic: Whether the systems are given in the symbols; else at the values of
+            the file.
     """
 
     case: str
@@ -83,6 +85,7 @@ class Screws:
     limbs: tuple[LimbScrews, ...]
     platform: PlatformScrews
     actuation_wrenches: tuple[ActuationWrench, ...]
+    generic: bool = True
 
 
 @dataclass(frozen=True)
