@@ -56,19 +56,9 @@ def screws(case: Case, order: str = "angular", progress: Progress = silent) -> S
         progress: Told about each stage.
     """
     from screwkit.analyses import screws as analysis  # noqa: PLC0415
-    from screwkit.kinematics.assembly import Assembly  # noqa: PLC0415
 
-    try:
-        assembly = case.assembly
-    except UndecidedError:
-        # Limbs that are no nesting of chains have their screws at numbers only.
-        at_values = case.network.at_values
-        if at_values is None:
-            raise
-        assembly = Assembly(at_values.mechanism)
-        answer = analysis.screws(assembly, order=order, progress=progress)
-        return replace(answer, generic=False)
-    return analysis.screws(assembly, order=order, progress=progress)
+    answer = analysis.screws(case.assembly, order=order, progress=progress)
+    return replace(answer, generic=not case.assembly.at_numbers)
 
 
 def relative_motion(

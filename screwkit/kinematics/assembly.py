@@ -65,6 +65,8 @@ class Assembly:
 
     Attributes:
         mechanism: As read.
+        at_numbers: Whether the values of the file were put in, because limbs that are
+            no nesting of chains have their screws at numbers only.
         limbs: In the order of the file.
         assumptions: The signs that the file declares.
     """
@@ -79,7 +81,16 @@ class Assembly:
         """
         self.tied = why_tied(mechanism)
         self.mechanism = at_zero(mechanism) if self.tied else mechanism
-        self.limbs = _limb_chains(self.mechanism)
+        self.at_numbers = False
+        try:
+            self.limbs = _limb_chains(self.mechanism)
+        except UndecidedError:
+            values = declared_values(self.mechanism)
+            if len(values) < len(self.mechanism.parameters) or not values:
+                raise
+            self.at_numbers = True
+            self.mechanism = with_values(self.mechanism, values)
+            self.limbs = _limb_chains(self.mechanism)
         self.assumptions = Assumptions(
             positive=frozenset(p.name for p in mechanism.parameters if p.positive),
             nonzero=frozenset(
