@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -20,6 +22,9 @@ from screwkit.results.mobility import (
     Redundancy,
 )
 
+LONG = 24
+"""Rows of a table that may break across pages."""
+
 
 def class_sentence(answer: Mobility) -> str:
     """The platform's motion in words; empty where there is nothing to add."""
@@ -33,7 +38,17 @@ def class_sentence(answer: Mobility) -> str:
     return found.description
 
 
-def redundancy_blocks(answer: Mobility, level: int = 2) -> tuple[Block, ...]:
+def _shown(title: str, table: Table, *, captioned: bool) -> tuple[Block, ...]:
+    """A table under a heading, or with a caption where it may float."""
+    head = words(title[:1].upper() + title[1:] if captioned else title)
+    if captioned:
+        return (replace(table, caption=head, long=len(table.rows) > LONG),)
+    return Heading(head, 2), table
+
+
+def redundancy_blocks(
+    answer: Mobility, *, captioned: bool = False
+) -> tuple[Block, ...]:
     """The redundant constraints by name, each with a freedom that would remove it."""
     if not answer.redundancies:
         return ()
@@ -49,7 +64,7 @@ def redundancy_blocks(answer: Mobility, level: int = 2) -> tuple[Block, ...]:
         Column(words("in balance by themselves"), "wrap", 3.0),
         Column(words("removed, for instance, by"), "wrap", 2.0),
     )
-    return Heading(words(head), level), Table(columns, rows)
+    return _shown(head, Table(columns, rows), captioned=captioned)
 
 
 def _removed(redundancy: Redundancy) -> str:
@@ -58,7 +73,7 @@ def _removed(redundancy: Redundancy) -> str:
     return redundancy.removed_by[0].description
 
 
-def freedom_blocks(answer: Mobility, level: int = 2) -> tuple[Block, ...]:
+def freedom_blocks(answer: Mobility, *, captioned: bool = False) -> tuple[Block, ...]:
     """What is free: the platform's motions, and the idle ones."""
     if not answer.remaining_freedoms:
         return ()
@@ -67,7 +82,7 @@ def freedom_blocks(answer: Mobility, level: int = 2) -> tuple[Block, ...]:
         for i, freedom in enumerate(answer.remaining_freedoms, 1)
     )
     columns = (Column((), "right"), Column((), "wrap"))
-    return Heading(words("what is free"), level), Table(columns, rows)
+    return _shown("what is free", Table(columns, rows), captioned=captioned)
 
 
 def _named(sentence: str, answer: Mobility) -> str:
@@ -75,7 +90,7 @@ def _named(sentence: str, answer: Mobility) -> str:
     return sentence.replace("the platform", platform_called(answer.platform_name))
 
 
-def branch_blocks(answer: FullCycle, level: int = 2) -> tuple[Block, ...]:
+def branch_blocks(answer: FullCycle, *, captioned: bool = False) -> tuple[Block, ...]:
     """The branches of finite motion, where there are several."""
     if len(answer.branches) < 2:
         return ()
@@ -97,12 +112,12 @@ def branch_blocks(answer: FullCycle, level: int = 2) -> tuple[Block, ...]:
         Column(words("motion"), "wrap"),
         Column(words("redundant"), "right"),
     )
-    head = words("branches of finite motion through this posture")
-    return Heading(head, level), Table(columns, tuple(rows))
+    head = "branches of finite motion through this posture"
+    return _shown(head, Table(columns, tuple(rows)), captioned=captioned)
 
 
 def connectivity_blocks(
-    answer: Connectivity | None, level: int = 2
+    answer: Connectivity | None, *, captioned: bool = False
 ) -> tuple[Block, ...]:
     """Freedom of every body (row) relative to every other (column), by number."""
     if answer is None or len(answer.bodies) < 3:
@@ -121,8 +136,8 @@ def connectivity_blocks(
         )
         for n, body, row in zip(numbers, answer.bodies, answer.table, strict=True)
     )
-    head = words("freedom of each body relative to each other")
-    return Heading(head, level), Table(columns, rows)
+    head = "freedom of each body relative to each other"
+    return _shown(head, Table(columns, rows), captioned=captioned)
 
 
 def loose_sentence(answer: Mobility) -> str:

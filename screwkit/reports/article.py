@@ -207,11 +207,11 @@ def _mobility_section(answer: Mobility | Undecided) -> tuple[Block, ...]:
     if said := class_sentence(answer):
         blocks.append(Paragraph(prose(_sentence(f"the platform's motion is {said}"))))
     blocks += [
-        *redundancy_blocks(answer),
-        *freedom_blocks(answer),
+        *redundancy_blocks(answer, captioned=True),
+        *freedom_blocks(answer, captioned=True),
         *unnamed_paragraph(answer),
-        *branch_blocks(answer.full_cycle),
-        *connectivity_blocks(answer.connectivity),
+        *branch_blocks(answer.full_cycle, captioned=True),
+        *connectivity_blocks(answer.connectivity, captioned=True),
     ]
     if answer.actuation is not None:
         blocks.append(
