@@ -286,7 +286,7 @@ def _refuse_open_table(mechanism: Mechanism, path: Path) -> None:
 
     if mechanism.geometry != "mdh" or not why_tied(mechanism):
         return
-    from screwkit.kinematics.table_search import closed_posture  # noqa: PLC0415
+    from screwkit.finite.table_search import closed_posture  # noqa: PLC0415
     from screwkit.kinematics.values import (  # noqa: PLC0415
         declared_values,
         with_values,

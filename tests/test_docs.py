@@ -91,7 +91,9 @@ def test_file_format_names_every_key_and_joint() -> None:
 
 def test_decisions_are_numbered_and_complete() -> None:
     decisions = sorted((DOCS / "decisions").glob("*.md"))
-    assert [path.name[:4] for path in decisions] == [f"{n:04}" for n in range(1, len(decisions) + 1)]
+    assert [path.name[:4] for path in decisions] == [
+        f"{n:04}" for n in range(1, len(decisions) + 1)
+    ]
     for path in decisions:
         text = path.read_text("utf-8")
         for part in (

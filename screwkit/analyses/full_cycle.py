@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from screwkit.kinematics.finite_motion import FiniteMotion
-from screwkit.kinematics.finite_proofs import proved_mobility
+from screwkit.finite.finite_motion import FiniteMotion
+from screwkit.finite.finite_proofs import proved_mobility
+from screwkit.finite.sampling import sampled_motion
 from screwkit.kinematics.network import Motion, Network
-from screwkit.kinematics.sampling import sampled_motion
 from screwkit.results.mobility import FullCycle, MotionBranch, Platform
 
 

@@ -12,12 +12,12 @@ from screwkit.algebra.expression import Expression
 from screwkit.analyses.full_cycle import cycle_of
 from screwkit.analyses.platform import finite_types
 from screwkit.errors import UndecidedError
-from screwkit.kinematics.finite_motion import finite_motion
-from screwkit.kinematics.moved_posture import moved_posture
+from screwkit.finite.finite_motion import finite_motion
+from screwkit.finite.moved_posture import moved_posture
+from screwkit.finite.posture_model import posture_model
+from screwkit.finite.posture_numbers import numbers_at
+from screwkit.finite.table_search import TableClosure, closed_posture
 from screwkit.kinematics.network import Network
-from screwkit.kinematics.posture_model import posture_model
-from screwkit.kinematics.posture_numbers import numbers_at
-from screwkit.kinematics.table_search import TableClosure, closed_posture
 from screwkit.kinematics.values import declared_values, with_values
 from screwkit.results.mobility import (
     Actuation,

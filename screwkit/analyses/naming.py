@@ -23,18 +23,18 @@ from screwkit.analyses.naming_words import (
     wrench_words,
 )
 from screwkit.analyses.screw_texts import Pair, ScrewTexts, TextReader
-from screwkit.kinematics.added_freedoms import Candidate, removing_freedoms
-from screwkit.kinematics.carriers import Carrier, carriers, limb_wrenches
-from screwkit.kinematics.joint_points import Point, joint_points
-from screwkit.kinematics.named_freedoms import NamedFreedom, named_freedoms
 from screwkit.kinematics.network import Motion, Network
-from screwkit.kinematics.readable_screws import Row, kind_of, passes
-from screwkit.kinematics.self_stress import (
+from screwkit.reasons.added_freedoms import Candidate, removing_freedoms
+from screwkit.reasons.carriers import Carrier, carriers, limb_wrenches
+from screwkit.reasons.joint_points import Point, joint_points
+from screwkit.reasons.named_freedoms import NamedFreedom, named_freedoms
+from screwkit.reasons.readable_screws import Row, kind_of, passes
+from screwkit.reasons.self_stress import (
     SelfStress,
     redundant_count,
     self_stresses,
 )
-from screwkit.kinematics.short_loops import by_name
+from screwkit.reasons.short_loops import by_name
 from screwkit.results.mobility import (
     AddedFreedom,
     CarriedWrench,

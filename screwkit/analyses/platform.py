@@ -9,13 +9,13 @@ from screwkit.algebra.modular import ResampleError
 from screwkit.algebra.reconstruction import Reconstruction
 from screwkit.kinematics.network import Motion, Network
 from screwkit.kinematics.subspaces import dimension, reciprocal
-from screwkit.kinematics.system_class import classify
 from screwkit.results.mobility import (
     FullCycle,
     MotionClass,
     Platform,
     PrincipalScrew,
 )
+from screwkit.systems.system_class import classify
 
 OUT_OF_PLANE = ((1, 0, 0, 0, 0, 0), (0, 1, 0, 0, 0, 0), (0, 0, 0, 0, 0, 1))
 """The twists that a planar file does not speak of."""

@@ -17,7 +17,7 @@ from typing import TypeAlias
 from screwkit.algebra.reconstruction import AlgebraicNumber, Reconstruction
 from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.kinematics.exact_postures import ExactPosture
-from screwkit.kinematics.readable_screws import kind_of, passes
+from screwkit.reasons.readable_screws import kind_of, passes
 from screwkit.screw.vector import cross, dot
 
 Texts: TypeAlias = tuple[str, ...]

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from kinematics.made import (
+from reasons.made import (
     Made,
     door,
     four_bar,
@@ -28,9 +28,9 @@ from kinematics.made import (
 from screwkit.algebra.expression import Symbol
 from screwkit.analyses.naming import MOST_REDUNDANCIES, Named, named
 from screwkit.kinematics.network import Network
-from screwkit.kinematics.self_stress import redundant_count
 from screwkit.mechanism.files import read_mechanism
 from screwkit.mechanism.model import JointType, Mechanism, Parameter
+from screwkit.reasons.self_stress import redundant_count
 
 CASES = sorted((Path(__file__).parents[2] / "cases").glob("*.yaml"))
 

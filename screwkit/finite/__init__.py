@@ -1,0 +1,1 @@
+"""Finite motion: closed postures, branches sampled, and proofs of mobility."""

@@ -1,0 +1,168 @@
+"""Postures on the branches of a finite motion, and the branches that they tell of.
+
+Points belong to one branch where dimension, loop rank and the motion type of the
+platform agree; which joints rest, how the other links move and, for branches of one
+dimension, where they leave the posture, tells how many there are of one look.
+
+References: [Mueller2016], [Zlatanov2002].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from screwkit.algebra.batch import Array
+from screwkit.finite.branch_walk import VISIBLE, body_systems, twist_systems, walk
+from screwkit.finite.exponentials import Stance
+from screwkit.finite.local_dimension import Kernel
+from screwkit.finite.motion_invariants import EXACT, motion_in_words
+from screwkit.finite.spanning_forest import Forest
+
+WALKERS = 4
+"""Walks along each branch, also of those that look alike."""
+
+INEXACT = 1e-5
+"""Largest failure of an invariant on a branch that is shaky wherever one stands."""
+
+SAME_LINE = 0.99
+"""Smallest cosine between tangents of one branch of one dimension."""
+
+
+@dataclass(frozen=True)
+class FiniteBranch:
+    """One of the finite motions that meet at a posture.
+
+    Attributes:
+        mobility: The dimension of the branch.
+        instantaneous_mobility: Freedoms less loop rank at its points.
+        loop_rank: Of J_c at its points.
+        redundant_constraints: 6·loops − rank.
+        twist_dimension: Of the platform's twist system at its points.
+        motion_type: nTmR of that twist system.
+        couples: Dimension of the pure couples among the platform's constraint wrenches.
+        motion: The finite motion of the platform in words; may be empty.
+        starts: How many of the starts fell on it.
+        ranks_met: The loop ranks seen on the walk along it, ascending.
+        modes: How many branches look like this from outside but differ in which joints
+            move, in how other links do, or, if of one dimension, in the direction in
+            which they leave the posture.
+    """
+
+    mobility: int
+    instantaneous_mobility: int
+    loop_rank: int
+    redundant_constraints: int
+    twist_dimension: int
+    motion_type: str
+    couples: int
+    motion: str
+    starts: int
+    ranks_met: tuple[int, ...] = ()
+    modes: int = 1
+
+
+@dataclass(frozen=True, eq=False)
+class Point:
+    """A posture on a branch: which one, and what tells the branch from others."""
+
+    number: int
+    kernel: Kernel
+    dimension: int
+    twists: tuple[int, ...]
+    pattern: tuple[object, ...] = ()
+
+    @property
+    def looks(self) -> tuple[int, int, tuple[int, ...]]:
+        """What all points of one branch have in common."""
+        return self.dimension, self.kernel.rank, self.twists
+
+
+def branches_of(
+    forest: Forest,
+    stance: Stance,
+    points: Sequence[Point],
+    random: np.random.Generator,
+) -> tuple[FiniteBranch, ...]:
+    """One branch for every look of the points and every motion of the platform."""
+    found: list[FiniteBranch] = []
+    loops = len(forest.closing_joints)
+    freedoms = stance.screws.shape[1]
+    for looks in sorted({point.looks for point in points}, reverse=True):
+        own = [point for point in points if point.looks == looks]
+        dimension, rank, (twists, turning) = looks
+        walkers = _representatives(own)
+        numbers = np.array([point.number for point in walkers])
+        bases = [point.kernel for point in walkers]
+        walked = walk(forest, stance.take(numbers), bases, dimension, random)
+        exact = EXACT if dimension == freedoms - rank else INEXACT
+        groups: dict[str, list[Point]] = {}
+        for pattern in dict.fromkeys(point.pattern for point in walkers):
+            chosen = np.array([point.pattern == pattern for point in walkers])
+            words = ""
+            if forest.platform[0] and walked.taken[chosen].any():
+                seen = walked.displacements[:, chosen].reshape(-1, 4, 4)
+                words = motion_in_words(seen, exact)
+            alike = [point for point in own if point.pattern == pattern]
+            groups.setdefault(words, []).extend(alike)
+        found.extend(
+            FiniteBranch(
+                mobility=dimension,
+                instantaneous_mobility=freedoms - rank,
+                loop_rank=rank,
+                redundant_constraints=6 * loops - rank,
+                twist_dimension=twists,
+                motion_type=f"{twists - turning}T{turning}R",
+                couples=3 - turning,
+                motion=words,
+                starts=len(members),
+                ranks_met=walked.ranks,
+                modes=len({point.pattern for point in members}),
+            )
+            for words, members in groups.items()
+        )
+    return tuple(found)
+
+
+def _representatives(points: Sequence[Point]) -> list[Point]:
+    """A few points of each pattern."""
+    patterns: dict[tuple[object, ...], list[Point]] = {}
+    for point in points:
+        patterns.setdefault(point.pattern, []).append(point)
+    few = 2 if points[0].dimension == 1 else WALKERS
+    return [point for alike in patterns.values() for point in alike[:few]]
+
+
+def directions(tangents: Array) -> list[int]:
+    """Numbers that are equal for tangents of one line."""
+    kept: list[Array] = []
+    numbers = []
+    for tangent in tangents:
+        alike = [i for i, k in enumerate(kept) if abs(tangent @ k) > SAME_LINE]
+        numbers.append(alike[0] if alike else len(kept))
+        if not alike:
+            kept.append(tangent)
+    return numbers
+
+
+def platform_system(
+    forest: Forest, stance: Stance, number: int, kernel: Kernel
+) -> tuple[int, ...]:
+    """Dimension of the platform's twist system, and of its rotations."""
+    here = stance.take(np.array([number]))
+    return tuple(twist_systems(forest, here, kernel.basis[None])[0].tolist())
+
+
+def pattern_of(
+    forest: Forest, stance: Stance, number: int, kernel: Kernel
+) -> tuple[object, ...]:
+    """Which freedoms rest, and the motion type of every link."""
+    rest = np.abs(kernel.basis).max(axis=1, initial=0.0) < VISIBLE
+    here = stance.take(np.array([number]))
+    systems = (
+        tuple(body_systems(forest, here, kernel.basis[None], node)[0].tolist())
+        for node in forest.nodes.values()
+    )
+    return (tuple(np.flatnonzero(rest).tolist()), *systems)

@@ -1,0 +1,215 @@
+"""Full-cycle mobility by sampling: the finite motions that meet at a posture.
+
+Where all loop equations hold on the manifold that as many of them define as the rank
+says, the posture is regular and has one branch, of the dimension of the kernel.
+Elsewhere starts in many directions find the branches; the dimension of each is counted
+independently of the rank, and walks along it tell the motion of the platform.  A
+posture that every start returns to is shaky.
+
+References: [Mueller2016], [Hunt1978], [Zlatanov2002].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from screwkit.finite.branch_search import FARTHEST, NEAREST, starts, wandered
+from screwkit.finite.exponentials import Stance, stance_of
+from screwkit.finite.finite_branches import (
+    FiniteBranch,
+    Point,
+    branches_of,
+    directions,
+    pattern_of,
+    platform_system,
+)
+from screwkit.finite.local_dimension import (
+    EXACT_CUT,
+    Kernel,
+    around,
+    is_regular,
+    kernels,
+    singular_dimension,
+    unclear_rank,
+)
+from screwkit.finite.loop_split import Split, split_at
+from screwkit.finite.posture_model import PostureModel, scaled, with_locked
+from screwkit.finite.spanning_forest import Forest, forest_of
+
+__all__ = ["FiniteBranch", "FiniteMotion", "finite_motion"]
+
+FEW, MANY = 8, 24
+"""Starts from a regular posture, and from one that is not."""
+
+PATIENCE = 4
+"""How often a start may turn out to stand on a singular posture of its branch."""
+
+WITNESSES = 4
+"""At how many singular postures of one rank the dimension is counted."""
+
+DOUBTFUL = 0.2
+"""Part of the closed postures that may stay singular without making it all doubtful."""
+
+
+@dataclass(frozen=True)
+class FiniteMotion:
+    """The finite motions around a posture, as far as samples tell.
+
+    Attributes:
+        status: ``sampled`` or ``undecided``.
+        mobility: The dimensions of the branches, ascending; (0,) where nothing moves,
+            empty if undecided.
+        branches: Largest first; empty where nothing moves.
+        reason: What the samples show, or why they show nothing.
+    """
+
+    status: str
+    mobility: tuple[int, ...]
+    branches: tuple[FiniteBranch, ...]
+    reason: str
+
+
+def finite_motion(
+    model: PostureModel, *, locked: Sequence[str] = (), seed: int = 0
+) -> FiniteMotion:
+    """The finite mobilities around a closed posture, by sampling.
+
+    Args:
+        model: At the posture.
+        locked: Freedoms held where they are, as `PostureModel.labels` writes them.
+        seed: Chooses the samples; the same seed gives the same answer.
+
+    Raises:
+        UnknownNameError: If ``locked`` names no freedom.
+    """
+    model = scaled(with_locked(model, locked))
+    forest, random = forest_of(model), np.random.default_rng(seed)
+    origin = stance_of(model, forest)
+    split, values = split_at(forest, origin, cut=float(np.sqrt(np.prod(EXACT_CUT))))
+    unclear = unclear_rank(values[0])
+    if unclear:
+        return FiniteMotion("undecided", (), (), unclear)
+    kernel = Kernel(split, split.right[0, :, split.rank :])
+    if not kernel.dimension:
+        return FiniteMotion("sampled", (0,), (), "the loop equations leave no motion")
+    for scale in (1.0, 0.1):
+        distances = scale * np.linspace(NEAREST, FARTHEST, FEW)
+        near = around(forest, origin, kernel, distances, random)
+        if near.closed.all():
+            return _regular(forest, kernel, near.stance, random)
+    return _singular(forest, origin, kernel, random)
+
+
+def _regular(
+    forest: Forest, kernel: Kernel, near: Stance, random: np.random.Generator
+) -> FiniteMotion:
+    same = np.zeros(len(near), dtype=np.intp)
+    points = [
+        Point(number, own, kernel.dimension, platform_system(forest, near, number, own))
+        for number, own in enumerate(kernels(forest, near, kernel.split.take(same)))
+    ]
+    # Closed around at full dimension means constant rank; only twists may still drop.
+    most = max(point.twists for point in points)
+    points = [p for p in points if p.twists == most and p.kernel.rank == kernel.rank]
+    branches = branches_of(forest, near, points, random)
+    words = f"all {len(near)} starts stay closed at the rank of the posture"
+    return FiniteMotion("sampled", (kernel.dimension,), branches, words)
+
+
+def _singular(
+    forest: Forest, origin: Stance, kernel: Kernel, random: np.random.Generator
+) -> FiniteMotion:
+    found = starts(forest, origin, kernel, MANY, random)
+    if not len(found.stance):
+        return _nothing_found(found.collapsed, found.failed)
+    split = kernel.split.take(np.zeros(len(found.stance), dtype=np.intp))
+    stance, dimensions = _settled(forest, found.stance, split, random)
+    unsettled = dimensions.count(None)
+    if unsettled > DOUBTFUL * len(dimensions):
+        why = (
+            f"at {unsettled} of {len(dimensions)} closed postures two scales do not "
+            f"agree on the dimension"
+        )
+        return FiniteMotion("undecided", (), (), why)
+    leaving = directions(found.tangents)
+    points = [
+        Point(
+            number,
+            own,
+            dimension,
+            platform_system(forest, stance, number, own),
+            (
+                *pattern_of(forest, stance, number, own),
+                *([leaving[number]] if dimension == 1 else []),
+            ),
+        )
+        for number, (own, dimension) in enumerate(
+            zip(kernels(forest, stance, split), dimensions, strict=True)
+        )
+        if dimension is not None
+    ]
+    points = [p for p in points if p.dimension]
+    if not points:
+        return _nothing_found(MANY - found.failed, found.failed)
+    branches = branches_of(forest, stance, points, random)
+    mobility = tuple(sorted({branch.mobility for branch in branches}))
+    words = f"{len(points)} of {MANY} starts lead to closed postures"
+    if found.collapsed:
+        words += f", {found.collapsed} return to the posture"
+    if unsettled:
+        words += f", {unsettled} to singular postures"
+    return FiniteMotion("sampled", mobility, branches, words)
+
+
+def _settled(
+    forest: Forest, stance: Stance, split: Split, random: np.random.Generator
+) -> tuple[Stance, list[int | None]]:
+    """The postures with the dimension around each.
+
+    Where that is below the dimension of the kernel, the posture may just be a singular
+    one of its branch: it is moved on before the lower dimension is believed.
+    """
+    dimensions: list[int | None] = [None] * len(stance)
+    left = np.arange(len(stance))
+    own: tuple[Kernel, ...] = ()
+    for attempt in range(PATIENCE):
+        if attempt:
+            onward = wandered(forest, stance.take(left), split.take(left), random)
+            stance = stance.put(left, onward)
+        own = kernels(forest, stance.take(left), split.take(left))
+        regular = [
+            is_regular(forest, stance.take(left[[i]]), kernel, random)
+            for i, kernel in enumerate(own)
+        ]
+        for number, kernel, settled in zip(left, own, regular, strict=True):
+            dimensions[number] = kernel.dimension if settled else None
+        left = left[~np.array(regular, dtype=bool)]
+        own = tuple(k for k, settled in zip(own, regular, strict=True) if not settled)
+        if not len(left):
+            break
+    for size in {kernel.dimension for kernel in own}:
+        alike = [i for i, kernel in enumerate(own) if kernel.dimension == size]
+        counts = [
+            singular_dimension(forest, stance.take(left[[i]]), own[i], random)
+            for i in alike[:WITNESSES]
+        ]
+        if len(set(counts)) > 1:
+            counts += [
+                singular_dimension(forest, stance.take(left[[i]]), own[i], random)
+                for i in alike[WITNESSES:]
+            ]
+        # Where the first ones agree the others are taken to be of the same sort.
+        for place, i in enumerate(alike):
+            dimensions[left[i]] = counts[min(place, len(counts) - 1)]
+    return stance, dimensions
+
+
+def _nothing_found(collapsed: int, failed: int) -> FiniteMotion:
+    if failed:
+        why = f"{failed} of {MANY} starts did not close and {collapsed} returned"
+        return FiniteMotion("undecided", (), (), why)
+    why = f"all {MANY} starts return to the posture: it is shaky, nothing moves"
+    return FiniteMotion("sampled", (0,), (), why)

@@ -1,0 +1,221 @@
+"""Exact proofs of the finite mobility at a posture.
+
+Every argument compares the instantaneous mobility, which no finite mobility around the
+posture exceeds, with a family of closed postures that is proved to exist, or shows by
+higher orders that the rates lead nowhere.  Parts of the mechanism whose loops share no
+joint are taken one by one.  Ranks are exact modulo two primes; where no argument
+applies nothing is claimed.
+
+References: [Herve1999], [RicoRavani2003], [ConnellyWhiteley1996].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from screwkit.finite.chain_graph import INNER, ChainGraph, chain_graph
+from screwkit.finite.closing_groups import Closing, smooth_family
+from screwkit.finite.idle_freedoms import idle_freedoms
+from screwkit.finite.order_proofs import (
+    IDENTICAL,
+    Proved,
+    proved_by_order,
+    second_order_bound,
+    smooth,
+)
+from screwkit.kinematics.network import Motion, Network, motion
+
+
+@dataclass(frozen=True)
+class Proof:
+    """A finite mobility that is proved.
+
+    Attributes:
+        mobility: Of the branches through the posture, ascending; one where the closed
+            postures around it are a manifold.
+        reason: The argument as a sentence without capital and full stop.
+    """
+
+    mobility: tuple[int, ...]
+    reason: str
+
+
+@dataclass(frozen=True)
+class UpperBound:
+    """What no branch through the posture exceeds.
+
+    Attributes:
+        mobility: The bound.
+        reason: The argument as a sentence without capital and full stop.
+    """
+
+    mobility: int
+    reason: str
+
+
+def proved_mobility(network: Network, at: Motion) -> Proof | None:
+    """The finite mobility around a posture, if an exact argument gives it.
+
+    Args:
+        network: The mechanism.
+        at: Its motion at the posture.
+
+    Returns:
+        None where no argument applies.
+    """
+    twin = _twin(network, at)
+    graph = chain_graph(at)
+    if twin is None or graph.mobility != at.mobility:
+        return None
+    equations = len(network.rows)
+    whole = _of_first_order(graph, equations)
+    if whole is not None:
+        return Proof((whole.mobility,), whole.reason)
+    idle = idle_freedoms(at)
+    graph, other_graph = chain_graph(at, idle), chain_graph(twin, idle)
+    blocks = tuple(block for block in graph.blocks() if block.width)
+    others = tuple(block for block in other_graph.blocks() if block.width)
+    free = graph.width - sum(block.width for block in blocks)
+    dimension = free + len(idle)
+    postures = at.posture, twin.posture
+    reasons: dict[str, int] = {}
+    for block, other in zip(blocks, others, strict=True):
+        proof = _of_first_order(block, equations)
+        if proof is None and not _has_contact(network, block):
+            ends = network.mechanism.base, network.mechanism.platform
+            proof = _of_family(block, ends)
+            proof = proof or proved_by_order((block, other), postures)
+        if proof is None:
+            return None
+        dimension += proof.mobility
+        reasons[proof.reason] = reasons.get(proof.reason, 0) + 1
+    told = "; ".join(
+        f"{reason} ({count} times)" if count > 1 else reason
+        for reason, count in reasons.items()
+    )
+    if len(blocks) > 1:
+        told = f"the loops fall into {len(blocks)} parts that share no joint: {told}"
+    apart = []
+    if free:
+        apart.append(f"the freedom of joints on no loop ({free})")
+    if idle:
+        apart.append(f"the idle freedom of bodies between two joints ({len(idle)})")
+    if apart:
+        told = f"apart from {_listed(apart)}, {told}"
+    return Proof((dimension,), told)
+
+
+def upper_bound(network: Network, at: Motion) -> UpperBound | None:
+    """A bound of all finite mobilities, if one below the rates' dimension is proved."""
+    idle = idle_freedoms(at)
+    graph = chain_graph(at, idle)
+    if _twin(network, at) is None or graph.mobility + len(idle) != at.mobility:
+        return None
+    blocks = graph.blocks()
+    dimension = len(idle) + graph.width - sum(block.width for block in blocks)
+    for block in blocks:
+        contact = _has_contact(network, block)
+        dimension += block.mobility if contact else second_order_bound(block)
+    if dimension >= at.mobility:
+        return None
+    return UpperBound(
+        dimension,
+        f"of the {at.mobility}-dimensional joint rates at this posture only a cone of "
+        f"dimension {dimension} keeps the loops closed to second order",
+    )
+
+
+def _twin(network: Network, at: Motion) -> Motion | None:
+    """The motion modulo another prime; None where the ranks disagree."""
+    if any(at is known for known in network.motions):
+        motions: Sequence[Motion] = network.motions
+    else:
+        postures = network.postures
+        motions = [motion(network, posture, at.locked) for posture in postures]
+    if any(other.rank != at.rank for other in motions):
+        return None
+    return next(m for m in motions if m.posture.prime != at.posture.prime)
+
+
+def _of_first_order(graph: ChainGraph, equations: int) -> Proved | None:
+    """Ranks alone, valid whatever the joints are beyond first order."""
+    if not graph.rank and not any(block.width for block in graph.blocks()):
+        return Proved(
+            graph.mobility, "no loop restrains the joints: every joint moves freely"
+        )
+    if not graph.mobility:
+        return Proved(
+            0, "no joint rates keep the loops closed: rigid already to first order"
+        )
+    count = equations * len(graph.fundamental_cycles)
+    if graph.rank < count:
+        return None
+    return Proved(
+        graph.mobility,
+        f"the {count} closure equations are independent at this posture, "
+        f"{smooth(graph.mobility)}",
+    )
+
+
+def _of_family(block: ChainGraph, ends: Sequence[str]) -> Proved | None:
+    """A smooth family of the full instantaneous mobility."""
+    closing = smooth_family(block, ends)
+    if closing is None:
+        return None
+    return Proved(block.mobility, _in_words(closing, block.mobility))
+
+
+def _has_contact(network: Network, block: ChainGraph) -> bool:
+    """Whether fingers touch in it, whose surfaces decide all but the first order."""
+    return any(edge.name in network.contact_labels for edge in block.edges)
+
+
+def _in_words(closing: Closing, mobility: int) -> str:
+    said = []
+    if closing.tied:
+        said.append("with parallel joints kept at equal or opposite angles")
+    if closing.held:
+        said.append("with the joints that are at rest held")
+    if closing.virtual:
+        pairs = [f"{_body(b)} relative to {_body(a)}" for a, b in closing.virtual]
+        said.append(f"with {_listed(pairs)} guided in the group of its motions")
+    if closing.followed and len(closing.basis) == 1:
+        said.append(IDENTICAL.format("the loop closes", closing.followed[0]))
+        return f"{', '.join(said)}, {smooth(mobility)}"
+    if closing.followed:
+        orders = _listed([str(order) for order in closing.followed])
+        which = "one loop closes" if len(closing.followed) == 1 else "some loops close"
+        said.append(IDENTICAL.format(which, orders))
+        said.append(
+            f"with these the loops leave {_listed(list(map(str, closing.dimensions)))} "
+            f"equations, all of them independent"
+        )
+        return f"{', '.join(said)}, {smooth(mobility)}"
+    free = closing.dimensions.count(0)
+    groups = [str(d) for d in closing.dimensions if d]
+    if free:
+        loops = "a loop closes" if free == 1 else f"{free} loops close"
+        said.append(f"{loops} identically")
+    rest = "the others" if free else "the loops"
+    if len(groups) > 3 and len(set(groups)) == 1:
+        said.append(f"{len(groups)} loops close in groups of dimension {groups[0]}")
+    elif len(groups) > 1:
+        said.append(f"{rest} close in groups of dimension {_listed(groups)}")
+    elif groups:
+        rest = "one more" if free else "the loop"
+        said.append(f"{rest} closes in a group of dimension {groups[0]}")
+    if groups:
+        total = sum(closing.dimensions)
+        said.append(f"where their {total} equations are independent")
+    return f"{', '.join(said)}, {smooth(mobility)}"
+
+
+def _body(name: str) -> str:
+    """A body, or what is between two freedoms of a joint."""
+    inner = name.startswith(INNER)
+    return f"what follows {name.removeprefix(INNER)}" if inner else name
+
+
+def _listed(items: Sequence[str]) -> str:
+    return " and ".join(filter(None, (", ".join(items[:-1]), items[-1])))

@@ -1,0 +1,106 @@
+"""The posture to which given joint variables move a mechanism with closed loops."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import atan2, isfinite
+
+from screwkit.algebra.evaluation import cosine_sine, evaluate
+from screwkit.algebra.expression import Expression
+from screwkit.errors import ExpressionError
+from screwkit.finite.loop_closure import moved_to
+from screwkit.finite.posture_model import PostureModel, posture_model
+from screwkit.finite.posture_numbers import PostureNumbers, numbers_at
+from screwkit.kinematics.loops import ring_at
+from screwkit.mechanism.joints import freedom_labels
+from screwkit.mechanism.model import Mechanism
+
+ROUNDING = 1e-13
+"""Values up to which a joint variable counts as unmoved."""
+
+
+@dataclass(frozen=True)
+class MovedPosture:
+    """Where the mechanism came to.
+
+    Attributes:
+        reason: Why the posture was not reached, or a rank is unclear; else empty.
+        values: By joint variable, from the posture of the file.
+        free: Ranks there.
+        locked: Ranks with the declared scheme locked; None without one.
+    """
+
+    closed: bool
+    reason: str
+    values: Mapping[str, float]
+    free: PostureNumbers
+    locked: PostureNumbers | None
+
+    @property
+    def gap(self) -> float | None:
+        """Of the free mechanism; None where no singular value is small."""
+        return self.free.gap if isfinite(self.free.gap) else None
+
+
+def moved_posture(
+    mechanism: Mechanism, wanted: Mapping[str, Expression]
+) -> MovedPosture:
+    """Move joint variables from the posture of the file to given values.
+
+    Args:
+        mechanism: A ``posture`` or ``reference`` file, all symbols with values.
+        wanted: Constant expressions by joint variable, counted from the posture of the
+            file; the other joint variables follow as the loops demand.
+
+    Raises:
+        UnknownNameError: If a symbol has no value.
+    """
+    model = posture_model(mechanism)
+    labels = _labels(mechanism)
+    ring = ring_at(mechanism, {})
+    targets = {}
+    for name, expression in wanted.items():
+        try:
+            targets[labels[name]] = float(evaluate(expression, ring))
+        except ExpressionError:  # an inverse function: an angle
+            cosine, sine = cosine_sine(expression, ring)
+            targets[labels[name]] = atan2(float(sine), float(cosine))
+    found = moved_to(model, targets)
+    names = {label: name for name, label in labels.items()}
+    last = (
+        found.coordinates[-1] if len(found.coordinates) else [0.0] * len(model.labels)
+    )
+    values = {
+        names[label]: 0.0 if abs(value) < ROUNDING else float(value)
+        for label, value in zip(model.labels, last, strict=True)
+        if label in names
+    }
+    return _report(mechanism, found.model, found.closed, found.reason, values)
+
+
+def _report(
+    mechanism: Mechanism,
+    model: PostureModel,
+    closed: bool,
+    reason: str,
+    values: Mapping[str, float],
+) -> MovedPosture:
+    free = numbers_at(model)
+    actuated = mechanism.actuated
+    locked = numbers_at(model, actuated) if actuated else None
+    if closed and not free.clear:
+        reason = (
+            f"where the rank is cut, singular values of the loop equations differ by a "
+            f"factor of {free.gap:.0f} only"
+        )
+    return MovedPosture(closed, reason, values, free, locked)
+
+
+def _labels(mechanism: Mechanism) -> dict[str, str]:
+    """The label of each joint variable."""
+    found: dict[str, str] = {}
+    for joint in mechanism.joints:
+        labels = freedom_labels(joint, mechanism.space)
+        found |= dict(zip(joint.variables, labels, strict=False))
+    return found

@@ -1,0 +1,158 @@
+"""Proofs by second and higher orders: motions that go on, and rates that do not.
+
+Where ranks and groups decide nothing, a loop may still close identically, which series
+show; or the rates may open a loop at some order, so that the posture is isolated or the
+finite motions through it are fewer.
+
+References: [ConnellyWhiteley1996].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from screwkit.finite.chain_graph import ChainGraph
+from screwkit.finite.closing_groups import all_postures, smooth_family
+from screwkit.finite.higher_order import (
+    cone_dimension,
+    continuation,
+    second_order_forms,
+)
+from screwkit.finite.real_forms import (
+    Matrix,
+    definite_combination,
+    indefinite,
+    real_forms,
+)
+from screwkit.finite.tied_families import subfamily
+from screwkit.kinematics.exact_postures import ExactPosture
+
+LARGEST_FOR_ORDERS = 60
+"""Freedoms of a block up to which higher orders are computed."""
+
+LARGEST_FORM = 14
+"""Mobility of a block up to which second-order conditions are."""
+
+MOST_TRIALS = 24
+
+IDENTICAL = (
+    "along the motion {} through order {}, and equations of such degrees that hold so "
+    "far hold identically"
+)
+
+
+@dataclass(frozen=True)
+class Proved:
+    """The finite mobility of a block, with the argument."""
+
+    mobility: int
+    reason: str
+
+
+def smooth(mobility: int) -> str:
+    """How sentences end that prove a manifold."""
+    return f"so all postures around it form a smooth family of dimension {mobility}"
+
+
+def proved_by_order(
+    blocks: tuple[ChainGraph, ChainGraph],
+    postures: tuple[ExactPosture, ExactPosture],
+) -> Proved | None:
+    """Loops that close identically, or rates that lead nowhere or not everywhere.
+
+    Args:
+        blocks: The same block modulo two primes.
+        postures: Of both.
+    """
+    block = blocks[0]
+    if block.width > LARGEST_FOR_ORDERS:
+        return None
+    followed = continuation(block)
+    if followed.fails_at is None:
+        if not followed.identical:
+            return None
+        return Proved(
+            block.mobility,
+            f"{IDENTICAL.format('the loops close', followed.checked)}, "
+            f"{smooth(block.mobility)}",
+        )
+    if block.mobility == 1:
+        return Proved(
+            0,
+            f"the one motion that first order allows opens a loop at order "
+            f"{followed.fails_at}: the posture is isolated, the structure shaky",
+        )
+    if block.mobility > LARGEST_FORM:
+        return None
+    forms = second_order_forms(block)
+    bound = cone_dimension(forms, block.mobility, block.prime)
+    if not bound:
+        return Proved(0, _SHAKY)
+    if bound == 1 and _moves_with_joints_held(block):
+        return Proved(
+            1,
+            f"second order leaves no more than single motions of the "
+            f"{block.mobility}-dimensional joint rates, and one of them is finite: "
+            f"with some joints held the postures form a smooth family of dimension 1",
+        )
+    twins = second_order_forms(blocks[1])
+    real = real_forms(postures, (forms, twins)) if forms else None
+    return None if real is None else _of_real_forms(block, real)
+
+
+def _moves_with_joints_held(block: ChainGraph) -> bool:
+    """Whether a family of dimension one is found with some joints at rest."""
+    every = frozenset(range(block.width))
+    held = [every - frozenset(rates) for rates in block.rates]
+    if block.mobility == 2:
+        held += [frozenset({p}) for p in sorted(every)]
+    for still in dict.fromkeys(held[:MOST_TRIALS]):
+        part = subfamily(block, (), still)
+        if part.mobility != 1:
+            continue
+        if smooth_family(part, ()) is not None:
+            return True
+        followed = continuation(part)
+        if followed.fails_at is None and followed.identical:
+            return True
+    return False
+
+
+def _of_real_forms(block: ChainGraph, real: Sequence[Matrix]) -> Proved | None:
+    """By the signs of the second-order conditions, where the geometry is in numbers.
+
+    A definite combination leaves no rates.  If one equation f = 0 alone is left beyond
+    first order and its form is indefinite, then f = x² − y² + g(z) in suitable
+    coordinates (the splitting lemma), and the solutions y² = x² + g(z) have dimension
+    m − 1 wherever they are, since a larger |x| leads away from every edge.
+    """
+    if definite_combination(real):
+        return Proved(0, _SHAKY)
+    if len(real) != 1 or not indefinite(real[0]) or all_postures(block).deficit != 1:
+        return None
+    one_less = block.mobility - 1
+    where = (
+        "two branches cross here"
+        if one_less == 1
+        else f"every branch through this posture has dimension {one_less}"
+    )
+    return Proved(
+        one_less,
+        f"beyond first order one equation is left for the {block.mobility}-dimensional "
+        f"joint rates, and its second-order part takes both signs: {where}",
+    )
+
+
+_SHAKY = (
+    "no joint rates keep the loops closed to second order: the posture is isolated, "
+    "the structure shaky"
+)
+
+
+def second_order_bound(block: ChainGraph) -> int:
+    """Dimension of the rates that second order allows, or an upper bound of it."""
+    if not 0 < block.mobility <= LARGEST_FORM:
+        return block.mobility
+    forms = second_order_forms(block)
+    return cone_dimension(forms, block.mobility, block.prime)

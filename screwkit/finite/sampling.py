@@ -1,0 +1,53 @@
+"""Finite motion sampled at the numbers of a file, or near them where it has symbols."""
+
+from __future__ import annotations
+
+import random
+
+from screwkit.errors import UndecidedError, UnknownNameError
+from screwkit.finite.finite_motion import FiniteMotion, finite_motion
+from screwkit.finite.posture_model import posture_model
+from screwkit.kinematics.loops import ring_at
+from screwkit.mechanism.model import Mechanism
+
+LARGEST = 150
+"""Freedoms beyond which samples take too long."""
+
+SPREAD = 0.2
+"""How far from the values of the file a generic posture is looked for, relatively."""
+
+
+def sampled_motion(mechanism: Mechanism, *, generic: bool = False) -> FiniteMotion:
+    """The finite motions around the posture of a file.
+
+    Args:
+        mechanism: Whose loops are closed at the posture.
+        generic: Take random values for its symbols, near those of the file where it
+            gives them.
+    """
+    freedoms = sum(len(joint.variables) for joint in mechanism.joints)
+    if freedoms > LARGEST:
+        return _open(f"{freedoms} freedoms are too many to sample")
+    try:
+        values = _spread(mechanism) if generic else {}
+        return finite_motion(posture_model(mechanism, values))
+    except UnknownNameError:
+        return _open("symbols without values leave no posture to sample at")
+    except UndecidedError as error:
+        return _open(str(error))
+
+
+def _open(reason: str) -> FiniteMotion:
+    return FiniteMotion("undecided", (), (), reason)
+
+
+def _spread(mechanism: Mechanism) -> dict[str, float]:
+    """A value for every symbol, random around that of the file."""
+    source = random.Random(1)
+    known = ring_at(mechanism, {}).values
+    values = {}
+    for parameter in mechanism.parameters:
+        value = float(known.get(parameter.name, source.uniform(0.5, 1.5)))
+        shift = SPREAD * source.uniform(-1.0, 1.0) * (abs(value) or 1.0)
+        values[parameter.name] = value + shift
+    return values

@@ -1,0 +1,1 @@
+"""Which constraints depend on which, and what each freedom left is."""

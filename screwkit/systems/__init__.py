@@ -1,0 +1,1 @@
+"""Classes of screw systems and their principal screws, whatever the basis."""
