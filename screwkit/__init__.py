@@ -10,7 +10,10 @@ if TYPE_CHECKING:
     from screwkit.case import bundled_cases as bundled_cases
     from screwkit.case import load as load
     from screwkit.questions import analyze as analyze
+    from screwkit.questions import assemble as assemble
+    from screwkit.questions import follow as follow
     from screwkit.questions import mobility as mobility
+    from screwkit.questions import move as move
     from screwkit.questions import relative_motion as relative_motion
     from screwkit.questions import schemes as schemes
     from screwkit.questions import screws as screws
@@ -23,6 +26,9 @@ _HOMES = {
     "bundled_cases": "screwkit.case",
     "load": "screwkit.case",
     "analyze": "screwkit.questions",
+    "assemble": "screwkit.questions",
+    "follow": "screwkit.questions",
+    "move": "screwkit.questions",
     "mobility": "screwkit.questions",
     "relative_motion": "screwkit.questions",
     "schemes": "screwkit.questions",
@@ -33,9 +39,12 @@ __all__ = [
     "Case",
     "__version__",
     "analyze",
+    "assemble",
     "bundled_cases",
+    "follow",
     "load",
     "mobility",
+    "move",
     "relative_motion",
     "schemes",
     "screws",
