@@ -203,8 +203,16 @@ def _written_twists(found: _Limb, writer: ScrewWriter) -> tuple[IdentifiedScrew,
     """The twists of the joints; of a limb with blocks those that span its system."""
     framed = found.framed
     if found.limb.elements is not None:
-        chosen = independent(framed.ring, found.columns)
-        return tuple(writer.twist(FoundScrew(found.columns[i])) for i in chosen)
+        wrenches = [screw.column for screw in found.constraints]
+        named = found.finder.basis(
+            wrenches,
+            found.rank,
+            lambda: [
+                FoundScrew(found.columns[i])
+                for i in independent(framed.ring, found.columns)
+            ],
+        )
+        return tuple(writer.twist(screw) for screw in named)
     centres = {label: joint for joint, labels in framed.balls for label in labels}
     return tuple(
         writer.joint_twist(

@@ -43,7 +43,7 @@ def turned(vector: np.ndarray, angle: float) -> np.ndarray:
 
 
 def test_opposite_angles_of_a_bennett_linkage_stay_equal() -> None:
-    """And the tangents of half of neighbouring ones keep their product [Bennett1903]."""
+    """The parallelogram among skew linkages [Bennett1903]."""
     path = sk.follow(sk.load("bennett"), {"A": 1.0}, steps=12)
     assert path.closed
     assert path.reached == 1.0
