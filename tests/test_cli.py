@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from dataclasses import replace
+from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,7 @@ from reports import samples
 
 from screwkit import catalogue, cli, guard, terminal
 from screwkit.errors import Fault
+from screwkit.reports.records import json_schema_of_results
 from screwkit.results.screws import Screws
 
 ROOT = Path(__file__).parent.parent
@@ -28,6 +30,51 @@ ANSWERS = {
     "schemes": samples.SCHEMES,
     "analyze": samples.ANALYSIS,
 }
+
+
+def why_unfit(schema: Any, data: Any, whole: Any = None, place: str = "$") -> str:
+    """Where a document breaks a JSON Schema, of what the schemas here make use of."""
+    whole = whole or schema
+    if "$ref" in schema:
+        name = schema["$ref"].rpartition("/")[2]
+        return why_unfit(whole["$defs"][name], data, whole, place)
+    if "const" in schema and data != schema["const"]:
+        return f"{place} is not {schema['const']!r}"
+    kinds = schema.get("type", [])
+    kinds = [kinds] if isinstance(kinds, str) else kinds
+    if kinds and not any(_is_of(kind, data) for kind in kinds):
+        return f"{place} is no {kinds}"
+    if isinstance(data, dict):
+        missing = set(schema.get("required", ())) - set(data)
+        if missing:
+            return f"{place} has no {sorted(missing)}"
+        properties = schema.get("properties", {})
+        for key in properties.keys() & data.keys():
+            if why := why_unfit(properties[key], data[key], whole, f"{place}.{key}"):
+                return why
+    if isinstance(data, list) and "items" in schema:
+        for number, item in enumerate(data):
+            if why := why_unfit(schema["items"], item, whole, f"{place}.{number}"):
+                return why
+    for part in schema.get("allOf", []):
+        if why := why_unfit(part, data, whole, place):
+            return why
+    told = [why_unfit(part, data, whole, place) for part in schema.get("anyOf", [])]
+    return "" if not all(told) else " and ".join(told)
+
+
+def _is_of(kind: str, data: Any) -> bool:
+    if isinstance(data, bool):
+        return kind == "boolean"
+    types: dict[str, type | tuple[type, ...]] = {
+        "object": dict,
+        "array": list,
+        "string": str,
+        "integer": int,
+        "number": (int, float),
+        "null": type(None),
+    }
+    return kind in types and isinstance(data, types[kind])
 
 
 class Answering:
@@ -361,3 +408,112 @@ def test_check_summarises_a_right_file(capsys: pytest.CaptureFixture[str]) -> No
     assert "12 bodies, 12 joints with 10 freedoms" in capsys.readouterr().out
     assert screwkit("check", str(path), "--json") == 0
     assert json.loads(capsys.readouterr().out)["valid"] is True
+
+
+# -- bodies, postures and documents, without a stand-in for the engine -----------------
+
+
+@cache
+def asked(*words: str) -> tuple[int, str, str]:
+    """Exit code, output and errors of a command that runs in its own process."""
+    done = python("-m", "screwkit.cli", *words)
+    return done.returncode, done.stdout, done.stderr
+
+
+def test_body_and_relative_to_reach_the_job(engine: Answering) -> None:
+    engine.outcome = guard.Answered(samples.SCREWS)
+    screwkit("screws", "nao_t14", "--body", "r3", "--relative-to", "l3")
+    (job,) = engine.jobs
+    assert job.question == "relative_motion"
+    wanted = {"body": "r3", "relative_to": "l3", "order": "angular"}
+    assert dict(job.options) == wanted
+    screwkit("screws", "nao_t14", "--relative-to", "l3", "--order", "linear")
+    wanted = {"body": "", "relative_to": "l3", "order": "linear"}
+    assert dict(engine.jobs[1].options) == wanted
+
+
+def test_at_reaches_the_job(engine: Answering) -> None:
+    screwkit("mobility", "nao_t14", "--at", "q4=0", "--at", "q9=-pi/3")
+    assert engine.jobs[0].at == {"q4": "0", "q9": "-pi/3"}
+
+
+@needs_engine
+def test_a_body_of_a_four_bar_relative_to_another() -> None:
+    """Crank and rocker are hinged to the base: seen from each other they turn."""
+    words = ("screws", "four_bar_planar", "--body", "crank", "--relative-to", "rocker")
+    code, output, errors = asked(*words, "--json")
+    assert (code, errors) == (0, "")
+    document = json.loads(output)
+    assert document["question"] == "relative_motion"
+    assert (document["body"], document["relative_to"]) == ("crank", "rocker")
+    assert (document["twist_dimension"], document["wrench_dimension"]) == (1, 5)
+    (twist,) = document["twist_details"]
+    assert twist["kind"] == "rotation"
+
+
+@needs_engine
+@pytest.mark.parametrize(
+    "words", [("--body", "cranc"), ("--relative-to", "cranc"), ("--body", "Crank")]
+)
+def test_an_unknown_body_is_2_with_the_nearest(words: tuple[str, str]) -> None:
+    code, output, errors = asked("screws", "four_bar_planar", *words, "--json")
+    assert code == 2
+    (line,) = errors.splitlines()
+    assert f"no link {words[1]!r}" in line
+    assert "did you mean 'crank'" in line
+    assert json.loads(output)["error"]["kind"] == "usage"
+
+
+@needs_engine
+@pytest.mark.parametrize(
+    ("angle", "code", "closed"), [("-1/5", 0, True), ("pi", 1, False)]
+)
+def test_mobility_where_the_mechanism_was_moved(
+    angle: str, code: int, closed: bool
+) -> None:
+    words = ("mobility", "four_bar_planar", "--at", f"qA={angle}")
+    told, output, _ = asked(*words, "--json")
+    assert told == code
+    there = json.loads(output)["at_posture"]
+    assert there["closed"] is closed
+    assert bool(there["reason"]) is not closed
+    assert there["variables"] == ["qA", "qB", "qC", "qD"]
+
+
+@needs_engine
+@pytest.mark.parametrize(
+    ("at", "said"),
+    [
+        ("q11=0", "did you mean 'q1"),
+        ("q4=", "q4"),
+        ("q4=q5", "unknown name 'q5'"),
+    ],
+)
+def test_what_at_cannot_take_is_2(at: str, said: str) -> None:
+    code, output, errors = asked("mobility", "nao_t14", "--at", at, "--json")
+    assert code == 2
+    (line,) = errors.splitlines()
+    assert said in line
+    assert json.loads(output)["error"]["kind"] == "usage"
+
+
+@needs_engine
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("mobility", "four_bar_planar", "--at", "qA=-1/5"),
+        ("mobility", "four_bar_planar", "--at", "qA=pi"),
+        ("screws", "four_bar_planar", "--body", "crank", "--relative-to", "rocker"),
+        ("screws", "watt_six_bar"),
+        ("screws", "peaucellier"),
+    ],
+    ids=" ".join,
+)
+def test_documents_fit_the_schema_of_results(words: tuple[str, ...]) -> None:
+    _, output, _ = asked(*words, "--json")
+    document = json.loads(output)
+    assert why_unfit(json_schema_of_results(), document) == ""
+    # The reading of the schema is no rubber stamp.
+    broken = document | {"case": 3}
+    assert why_unfit(json_schema_of_results(), broken)
+    assert why_unfit(json_schema_of_results(), document | {"question": "none"})

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
+from functools import cache
 from itertools import chain
 from pathlib import Path
 
 import numpy as np
 import pytest
+from kinematics.float_loops import FloatLoops, counted
+from loci.numeric import values
 
 import screwkit as sk
 from screwkit.algebra.batch import BatchRing
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.parse import parse
+from screwkit.mechanism.model import freedom_label
 from screwkit.questions import screws
 from screwkit.results.screws import (
     IdentifiedScrew,
@@ -179,6 +183,105 @@ def test_no_screw_is_longer_than_a_few_lines(
 ) -> None:
     for screw in every_screw(answers[name]):
         assert sum(map(len, screw.coordinates)) < 4000
+
+
+# -- the same for postures ---------------------------------------------------------
+
+POSTURES = (
+    "2upr_rpu",
+    "3crr",
+    "3prs",
+    "3rpr_planar",
+    "4ruu",
+    "4H_equal_pitch",
+    "agile_eye",
+    "bennett",
+    "dymo",
+    "exechon",
+    "rssr",
+    "spherical_3rrr",
+    "tricept",
+    "tripteron",
+)
+"""Limbs are chains of joints: of rotations, translations and helices of all sorts."""
+
+
+@cache
+def drawn(name: str) -> tuple[Screws, FloatLoops]:
+    """The answer, and the second opinion at drawn values of all symbols.
+
+    What is generic may vanish at the values of the file: 3prs stands level there.
+    """
+    case = sk.load(name)
+    answer = screws(case)
+    assert answer.generic
+    return answer, FloatLoops(case.mechanism, generic=True)
+
+
+def unit_rows(system: tuple[IdentifiedScrew, ...], floats: FloatLoops) -> np.ndarray:
+    rows = [floats.in_its_size(values(s.coordinates, floats.values)) for s in system]
+    return np.array([row / np.linalg.norm(row) for row in rows]).reshape(-1, 6)
+
+
+def unit_twists(labels: tuple[str, ...], floats: FloatLoops) -> np.ndarray:
+    rows = [floats.twists[label] for label in labels]
+    return np.array([row / np.linalg.norm(row) for row in rows]).reshape(-1, 6)
+
+
+def annihilated(wrenches: np.ndarray) -> np.ndarray:
+    """Orthonormal twists on which none of the wrenches does work."""
+    return np.asarray(np.linalg.svd(swapped(wrenches))[2][rank(wrenches) :])
+
+
+@pytest.mark.parametrize("name", POSTURES)
+def test_limbs_of_postures_span_what_their_joints_do(name: str) -> None:
+    answer, floats = drawn(name)
+    for limb in answer.limbs:
+        joints = unit_twists(limb.joints, floats)
+        assert rank(joints) == limb.twist_dimension
+        twists, wrenches = (unit_rows(s, floats) for s in (limb.twists, limb.wrenches))
+        assert rank(twists) == rank(np.vstack([twists, joints])) == rank(joints)
+        assert rank(wrenches) == limb.wrench_dimension == len(limb.wrenches)
+        assert limb.wrench_dimension == 6 - limb.twist_dimension
+        assert np.abs(joints @ swapped(wrenches).T).max(initial=0) < 1e-9
+
+
+@pytest.mark.parametrize("name", POSTURES)
+def test_platforms_of_postures_move_as_all_limbs_let_them(name: str) -> None:
+    """By the intersection of the limbs' spans, and by the loop equations."""
+    answer, floats = drawn(name)
+    mechanism = floats.mechanism
+    forces = []
+    for limb in answer.limbs:
+        joints = unit_twists(limb.joints, floats)
+        null = np.linalg.svd(joints)[2][rank(joints) :]
+        forces.append(swapped(null))
+    together = np.vstack(forces)
+    platform = answer.platform
+    wrenches = unit_rows(platform.wrenches, floats)
+    assert rank(together) == platform.wrench_dimension == rank(wrenches)
+    assert rank(np.vstack([together, wrenches])) == platform.wrench_dimension
+    twists = unit_rows(platform.twists, floats)
+    by_loops = floats.body_twists(mechanism.platform, mechanism.base).T
+    assert counted(by_loops).rank == platform.twist_dimension == rank(twists)
+    free = annihilated(together) if len(together) else np.eye(6)
+    assert rank(np.vstack([free, twists])) == len(free) == platform.twist_dimension
+
+
+@pytest.mark.parametrize("name", POSTURES)
+def test_actuation_wrenches_of_postures_lock_their_freedom_alone(name: str) -> None:
+    answer, floats = drawn(name)
+    limbs = {limb.name: limb for limb in answer.limbs}
+    for entry in answer.actuation_wrenches:
+        labels = limbs[entry.limb].joints
+        own = freedom_label(floats.mechanism.joint(entry.joint), entry.freedom)
+        others = unit_twists(tuple(x for x in labels if x != own), floats)
+        if entry.screw is None:
+            assert rank(others) == limbs[entry.limb].twist_dimension
+            continue
+        wrench = swapped(unit_rows((entry.screw,), floats))
+        assert np.abs(others @ wrench.T).max(initial=0) < 1e-9
+        assert np.abs(unit_twists((own,), floats) @ wrench.T).max() > 1e-6
 
 
 # -- what the paper and geometry say of the NAO --------------------------------------
