@@ -27,10 +27,19 @@ EXPANDED = 300  # terms of a screw whose foot is worked out
 class ScrewWriter:
     """Writes screws of one ring."""
 
-    def __init__(self, ring: TrigonometricRing, *, linear: bool) -> None:
-        """Remember the order of coordinates: moment first where ``linear``."""
+    def __init__(
+        self, ring: TrigonometricRing, *, linear: bool, planar: bool = False
+    ) -> None:
+        """Remember how coordinates are written.
+
+        Args:
+            ring: Of the screws.
+            linear: Moment first.
+            planar: Twists as (ωz; vx, vy), wrenches as (fx, fy; mz).
+        """
         self._ring = ring
         self._linear = linear
+        self._planar = planar
 
     def wrench(self, screw: FoundScrew) -> IdentifiedScrew:
         """A wrench: force, couple or screw."""
@@ -94,6 +103,12 @@ class ScrewWriter:
     ) -> IdentifiedScrew:
         direction, moment = screw.column[DIRECTION], screw.column[MOMENT]
         coordinates = self._texts(direction), self._texts(moment)
+        if self._planar:
+            twist = kinds[0] == "rotation"
+            coordinates = (
+                coordinates[0][2:] if twist else coordinates[0][:2],
+                coordinates[1][:2] if twist else coordinates[1][2:],
+            )
         if self._linear:
             coordinates = coordinates[1], coordinates[0]
         written = (*coordinates[0], *coordinates[1])

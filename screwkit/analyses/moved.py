@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from screwkit.algebra.expression import Expression
 from screwkit.analyses.full_cycle import cycle_of
 from screwkit.analyses.platform import finite_types
-from screwkit.errors import UndecidedError
+from screwkit.errors import UndecidedError, UnknownNameError
 from screwkit.finite.finite_motion import finite_motion
 from screwkit.finite.moved_posture import moved_posture
 from screwkit.finite.posture_model import posture_model
@@ -131,14 +131,18 @@ def closed_table(network: Network) -> TableClosure | None:
     """A closed posture of a table that ties joint variables; None where 0 is one.
 
     Raises:
-        UndecidedError: If none was found.
-        UnknownNameError: If a symbol has no value.
+        UndecidedError: If none was found, or a symbol has no value.
     """
     mechanism = network.mechanism
     if mechanism.geometry != "mdh" or not network.tied:
         return None
     mechanism = with_values(mechanism, declared_values(mechanism))
-    found = closed_posture(mechanism)
+    try:
+        found = closed_posture(mechanism)
+    except UnknownNameError as error:
+        raise UndecidedError(
+            f"{network.tied}; a closed posture is needed, and {error} (--set gives one)"
+        ) from None
     if not found.closed:
         raise UndecidedError(
             f"no closed posture was found: joint {found.joint!r} misses its body by "

@@ -67,8 +67,13 @@ def relative_motion(
     if found is None or not symbolic:
         found = _at_numbers(network, body, other)
     ring, columns = found
-    writer = ScrewWriter(ring, linear=order == "linear")
-    wrenches = reciprocal_basis(ring, columns).columns
+    planar = len(network.rows) == 3
+    writer = ScrewWriter(ring, linear=order == "linear", planar=planar)
+    outside = [
+        tuple(ring.one if i == place else ring.zero for i in range(6))
+        for place in ((0, 1, 5) if planar else ())
+    ]
+    wrenches = reciprocal_basis(ring, [*columns, *outside]).columns
     return RelativeMotion(
         case=network.mechanism.name,
         title=network.mechanism.title,

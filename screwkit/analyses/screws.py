@@ -72,14 +72,15 @@ def screws(
     if order not in ("angular", "linear"):
         raise ValueError(f"order {order!r} is neither 'angular' nor 'linear'")
     framed = assembly.base_twists
-    writer = ScrewWriter(framed.ring, linear=order == "linear")
+    planar = assembly.mechanism.space == "planar"
+    writer = ScrewWriter(framed.ring, linear=order == "linear", planar=planar)
     limbs, answers = [], []
     wrenches: list[ActuationWrench] = []
     for limb in assembly.limbs:
         progress("screws", f"limb {limb.name}")
         found = _limb(assembly, limb)
         limbs.append(found)
-        answers.append(_limb_screws(found, writer))
+        answers.append(_limb_screws(assembly, found, writer))
         wrenches += _actuation(assembly, found, writer)
     progress("screws", "platform")
     return Screws(
@@ -110,8 +111,8 @@ def _limb(assembly: Assembly, limb: LimbChain) -> _Limb:
     columns = _spanning(assembly, limb, framed)
     rank = len(independent(framed.ring, columns))
     constraints = finder.basis(
-        columns,
-        SCREW_DIMENSION - rank,
+        [*columns, *out_of_plane(assembly, twists=True)],
+        size_of(assembly) - rank,
         lambda: _reciprocal(assembly, limb, limb.joints),
     )
     return _Limb(limb, framed, columns, finder, rank, tuple(constraints))
@@ -154,6 +155,28 @@ def _in_numbers(
     return tuple(tuple(evaluate(entry, ring) for entry in row) for row in rows)
 
 
+def size_of(assembly: Assembly) -> int:
+    """Dimension of all twists that the file speaks of: six, or three in the plane."""
+    return 3 if assembly.mechanism.space == "planar" else SCREW_DIMENSION
+
+
+def out_of_plane(assembly: Assembly, *, twists: bool) -> tuple[Column, ...]:
+    """The screws that a planar file does not speak of; none of a spatial one.
+
+    Args:
+        assembly: The mechanism.
+        twists: Whether as twists (ωx, ωy, vz), or as wrenches (fz, mx, my).
+    """
+    if size_of(assembly) == SCREW_DIMENSION:
+        return ()
+    ring = assembly.base_twists.ring
+    places = (0, 1, 5) if twists else (2, 3, 4)
+    return tuple(
+        tuple(ring.one if i == place else ring.zero for i in range(SCREW_DIMENSION))
+        for place in places
+    )
+
+
 def _part(framed: FramedTwists, limb: LimbChain) -> FramedTwists:
     """The twists of one limb, in the ring of all."""
     chosen = [framed.joints.index(name) for name in limb.joints]
@@ -175,7 +198,8 @@ def _reciprocal(
         framed = assembly.base_twists
         locked = [name for name in limb.joints if name not in joints]
         columns = _spanning(assembly, limb, framed, *locked)
-        basis = reciprocal_basis(ring, columns)
+        outside = out_of_plane(assembly, twists=True)
+        basis = reciprocal_basis(ring, [*columns, *outside])
         return [FoundScrew(column) for column in basis.columns]
     origin = assembly.limb_twists[limb.name].origin
     twists = joint_twists(mechanism, ring, origin, limb.chain)
@@ -188,22 +212,25 @@ def _reciprocal(
     ]
 
 
-def _limb_screws(found: _Limb, writer: ScrewWriter) -> LimbScrews:
+def _limb_screws(assembly: Assembly, found: _Limb, writer: ScrewWriter) -> LimbScrews:
     return LimbScrews(
         name=found.limb.name,
         joints=found.limb.joints,
         twist_dimension=found.rank,
-        twists=_written_twists(found, writer),
-        wrench_dimension=SCREW_DIMENSION - found.rank,
+        twists=_written_twists(assembly, found, writer),
+        wrench_dimension=size_of(assembly) - found.rank,
         wrenches=tuple(writer.wrench(screw) for screw in found.constraints),
     )
 
 
-def _written_twists(found: _Limb, writer: ScrewWriter) -> tuple[IdentifiedScrew, ...]:
+def _written_twists(
+    assembly: Assembly, found: _Limb, writer: ScrewWriter
+) -> tuple[IdentifiedScrew, ...]:
     """The twists of the joints; of a limb with blocks those that span its system."""
     framed = found.framed
     if found.limb.elements is not None:
         wrenches = [screw.column for screw in found.constraints]
+        wrenches += out_of_plane(assembly, twists=False)
         named = found.finder.basis(
             wrenches,
             found.rank,
@@ -253,7 +280,7 @@ def _actuation_wrench(
     if len(independent(ring, columns)) == found.rank:
         return None
     basis = found.finder.basis(
-        columns,
+        [*columns, *out_of_plane(assembly, twists=True)],
         len(found.constraints) + 1,
         lambda: _reciprocal(assembly, found.limb, others),
         found.constraints,
@@ -276,9 +303,10 @@ def _platform(
     }
     finder = Finder(framed, assembly.mechanism.base, named, whole=True)
     columns = [screw.column for screw in wrenches]
+    columns += out_of_plane(assembly, twists=False)
     twists = finder.basis(
         columns,
-        SCREW_DIMENSION - len(wrenches),
+        size_of(assembly) - len(wrenches),
         lambda: [FoundScrew(c) for c in reciprocal_basis(ring, columns).columns],
     )
     return PlatformScrews(
