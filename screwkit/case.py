@@ -257,12 +257,13 @@ def placed_at(
 
     Raises:
         UnknownNameError: If a name is neither a joint variable nor a symbol.
-        ExpressionError: If a value is no constant expression.
+        ExpressionError: If a value is no expression in the symbols of the file.
     """
     from screwkit.kinematics.placement import why_tied  # noqa: PLC0415
     from screwkit.kinematics.values import with_values  # noqa: PLC0415
 
     joints = set(mechanism.joint_variables)
+    symbols = tuple(p.name for p in mechanism.parameters if p.name not in values)
     known = {p.name for p in mechanism.parameters} | joints
     held: dict[str, Expression] = {}
     wanted: dict[str, Expression] = {}
@@ -272,7 +273,7 @@ def placed_at(
             hint = did_you_mean(name, known)
             raise UnknownNameError(f"no symbol {name!r} in {mechanism.name}{hint}")
         target = wanted if name in joints and moves else held
-        target[name] = parse(str(value), ())
+        target[name] = parse(str(value), symbols)
     return with_values(mechanism, held), wanted
 
 

@@ -28,11 +28,14 @@ def mobility(case: Case, progress: Progress = silent) -> Mobility:
 
     table = moved_analysis.closed_table(case.network)
     if table is not None:
-        return moved_analysis.table_mobility(case.network, table)
-    answer = analysis.mobility(case.network, _motion_cases(case), progress=progress)
+        answer = moved_analysis.table_mobility(case.network, table)
+    else:
+        cases = _motion_cases(case)
+        answer = analysis.mobility(case.network, cases, progress=progress)
     if case.wanted:
         progress("mobility", "moving the mechanism")
-        moved = moved_analysis.at_posture(case.network, case.wanted)
+        start = None if table is None else table.values
+        moved = moved_analysis.at_posture(case.network, case.wanted, start)
         answer = replace(answer, at_posture=moved)
     return answer
 
@@ -48,6 +51,23 @@ def _motion_cases(case: Case) -> Callable[[str], tuple[MotionCase, ...]] | None:
     return partial(motion_cases, assembly)
 
 
+def _need_exact_posture(case: Case) -> None:
+    """Refuse tables that are closed only where numbers put them.
+
+    Raises:
+        UndecidedError: If the table is not closed at 0.
+    """
+    if case.mechanism.geometry != "mdh" or not case.network.tied:
+        return
+    from screwkit.analyses.moved import closed_table  # noqa: PLC0415
+
+    if closed_table(case.network) is not None:
+        raise UndecidedError(
+            f"{case.network.tied}; the table is not closed at 0, and its closed "
+            f"postures are known in numbers alone (`mobility` answers there)"
+        )
+
+
 def screws(case: Case, order: str = "angular", progress: Progress = silent) -> Screws:
     """Twist and wrench systems of limbs and platform, each screw identified.
 
@@ -58,6 +78,7 @@ def screws(case: Case, order: str = "angular", progress: Progress = silent) -> S
     """
     from screwkit.analyses import screws as analysis  # noqa: PLC0415
 
+    _need_exact_posture(case)
     answer = analysis.screws(case.assembly, order=order, progress=progress)
     return replace(answer, generic=not case.assembly.at_numbers)
 
@@ -76,6 +97,7 @@ def relative_motion(
     from screwkit.analyses import relative as analysis  # noqa: PLC0415
 
     link = body or case.mechanism.platform
+    _need_exact_posture(case)
     return analysis.relative_motion(case.network, link, relative_to, order)
 
 
@@ -108,6 +130,7 @@ def singularities(case: Case, progress: Progress = silent) -> Singularities:
     """Limb, constraint and actuation singularities in closed form."""
     from screwkit.analyses import singularities as analysis  # noqa: PLC0415
 
+    _need_exact_posture(case)
     return analysis.singularities(case.assembly, progress=progress)
 
 
@@ -121,6 +144,7 @@ def schemes(
     """Every actuation scheme of a size, admissible or why not."""
     from screwkit.analyses import schemes as analysis  # noqa: PLC0415
 
+    _need_exact_posture(case)
     return analysis.schemes(case.assembly, size, candidates, balanced, progress)
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from screwkit.algebra.expression import Expression
+from screwkit.algebra.expression_building import substitute
 from screwkit.analyses.full_cycle import cycle_of
 from screwkit.analyses.platform import finite_types
 from screwkit.errors import UndecidedError, UnknownNameError
@@ -31,19 +32,25 @@ from screwkit.results.mobility import (
 )
 
 
-def at_posture(network: Network, wanted: Mapping[str, Expression]) -> AtPosture:
+def at_posture(
+    network: Network,
+    wanted: Mapping[str, Expression],
+    start: Mapping[str, float] | None = None,
+) -> AtPosture:
     """Move the mechanism, and count there.
 
     Args:
         network: The mechanism; its symbols take the values of the file.
         wanted: Values by joint variable.
+        start: A closed posture of a table that is not closed at 0.
 
     Raises:
         UnknownNameError: If a symbol has no value.
     """
     mechanism = network.mechanism
-    mechanism = with_values(mechanism, declared_values(mechanism))
-    found = moved_posture(mechanism, wanted)
+    values = declared_values(mechanism)
+    known = {name: substitute(value, values) for name, value in wanted.items()}
+    found = moved_posture(with_values(mechanism, values), known, start)
     size = len(network.rows) * len(network.loops)
     locked = found.locked
     return AtPosture(

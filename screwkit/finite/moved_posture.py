@@ -44,38 +44,46 @@ class MovedPosture:
 
 
 def moved_posture(
-    mechanism: Mechanism, wanted: Mapping[str, Expression]
+    mechanism: Mechanism,
+    wanted: Mapping[str, Expression],
+    start: Mapping[str, float] | None = None,
 ) -> MovedPosture:
     """Move joint variables from the posture of the file to given values.
 
     Args:
-        mechanism: A ``posture`` or ``reference`` file, all symbols with values.
-        wanted: Constant expressions by joint variable, counted from the posture of the
-            file; the other joint variables follow as the loops demand.
+        mechanism: All its symbols with values.
+        wanted: Expressions of constants and symbols by joint variable; without a table
+            counted from the posture of the file.  The other joint variables follow as
+            the loops demand.
+        start: A closed posture of an ``mdh`` file; 0 by default.
 
     Raises:
         UnknownNameError: If a symbol has no value.
     """
-    model = posture_model(mechanism)
+    before: dict[str, float] = {}
+    if mechanism.geometry == "mdh":
+        before = dict.fromkeys(mechanism.joint_variables, 0.0) | dict(start or {})
+    model = posture_model(mechanism, before)
     labels = _labels(mechanism)
     ring = ring_at(mechanism, {})
     targets = {}
     for name, expression in wanted.items():
         try:
-            targets[labels[name]] = float(evaluate(expression, ring))
+            value = float(evaluate(expression, ring))
         except ExpressionError:  # an inverse function: an angle
             cosine, sine = cosine_sine(expression, ring)
-            targets[labels[name]] = atan2(float(sine), float(cosine))
+            value = atan2(float(sine), float(cosine))
+        targets[labels[name]] = value - before.get(name, 0.0)
     found = moved_to(model, targets)
     names = {label: name for name, label in labels.items()}
     last = (
         found.coordinates[-1] if len(found.coordinates) else [0.0] * len(model.labels)
     )
-    values = {
-        names[label]: 0.0 if abs(value) < ROUNDING else float(value)
-        for label, value in zip(model.labels, last, strict=True)
-        if label in names
-    }
+    values = {}
+    for label, change in zip(model.labels, last, strict=True):
+        if label in names:
+            value = float(change) + before.get(names[label], 0.0)
+            values[names[label]] = 0.0 if abs(value) < ROUNDING else value
     return _report(mechanism, found.model, found.closed, found.reason, values)
 
 

@@ -22,6 +22,9 @@ CLEAR = 1e3
 ZERO = 1e-8
 """Relative size below which a singular value counts as zero."""
 
+DOUBTFUL = (1e-11, 1e-5)
+"""Relative sizes of which floating point does not say whether they are zero."""
+
 
 @dataclass(frozen=True)
 class PostureNumbers:
@@ -34,7 +37,7 @@ class PostureNumbers:
         rotations: Rank of its directions.
         couples: Dimension of the pure couples among the reciprocal wrenches.
         gap: Smallest ratio met between what counts and what does not; inf where
-            nothing is small.
+            nothing is small, 1 where a singular value is of a doubtful size.
     """
 
     loop_rank: int
@@ -105,6 +108,9 @@ def _rank(matrix: Array) -> tuple[int, float]:
     largest = values[0] if values[0] > ZERO else 1.0
     counts = values > ZERO * largest
     rank = int(counts.sum())
+    low, high = DOUBTFUL
+    if np.any((values > low * largest) & (values < high * largest)):
+        return rank, 1.0
     if rank == len(values) or not rank:
         return rank, np.inf
     return rank, float(values[rank - 1] / max(values[rank], 1e-300))

@@ -155,21 +155,23 @@ def parallel_basis(
     forms: dict[str, AngleForm] = {}
     start: tuple[Vector[Polynomial] | None, dict[str, int]] = (None, {})
     queue = deque([(origin, "", start)])
+    reached = {origin}
     while queue:
         link, via, (axis, total) = queue.popleft()
         for joint in neighbours.get(link, ()):
-            if joint.name == via:
+            other = joint.child if joint.parent == link else joint.parent
+            if joint.name == via or other in reached:
                 continue
+            reached.add(other)
             outwards = joint.parent == link
             here, there = _axis_in_links(joint, ring)
             if not outwards:
                 here, there = there, here
             sign = _parallel(ring, axis, here) if axis is not None else 0
             carried = {name: sign * count for name, count in total.items() if sign}
-            if joint.type is JointType.REVOLUTE:
+            if joint.type is JointType.REVOLUTE and not any(joint.held):
                 carried[joint.variables[0]] = 1 if outwards else -1
                 forms[joint.variables[0]] = _positive(carried)
-            other = joint.child if outwards else joint.parent
             if joint.type is not JointType.REVOLUTE and axis is not None and not sign:
                 queue.append((other, joint.name, (None, {})))
             else:

@@ -18,7 +18,7 @@ import screwkit as sk
 from screwkit import cli
 from screwkit.analyses.moved import closed_table
 from screwkit.case import Case
-from screwkit.errors import MechanismFileError
+from screwkit.errors import MechanismFileError, UndecidedError
 from screwkit.finite.table_closure import OPEN, table_misses
 from screwkit.finite.table_search import closed_posture
 from screwkit.kinematics.loops import ring_at
@@ -318,7 +318,6 @@ def within(seconds: float) -> Iterator[None]:
         signal.signal(signal.SIGALRM, before)
 
 
-@pytest.mark.xfail(reason="runs of parallel axes are followed around the loop for ever")
 def test_a_table_closed_at_0_answers_as_a_posture_does(tmp_path: Path) -> None:
     with within(2.0):
         answer = mobility(SQUARE.load(tmp_path))
@@ -327,15 +326,14 @@ def test_a_table_closed_at_0_answers_as_a_posture_does(tmp_path: Path) -> None:
     assert answer.full_cycle.mobility == (1,)
 
 
-@pytest.mark.xfail(
-    reason="the twists are those of the posture at 0, which is not closed"
-)
-def test_bodies_of_a_table_move_where_it_closes(tmp_path: Path) -> None:
-    found = relative_motion(ELSEWHERE["four-bar"].load(tmp_path))
-    assert found.twist_dimension == 1
+def test_exact_questions_need_a_table_that_is_closed_at_0(tmp_path: Path) -> None:
+    case = ELSEWHERE["four-bar"].load(tmp_path)
+    for question in (relative_motion, sk.screws, sk.singularities, sk.schemes):
+        with pytest.raises(UndecidedError, match="not closed at 0"):
+            question(case)
+    assert relative_motion(SQUARE.load(tmp_path)).twist_dimension == 1
 
 
-@pytest.mark.xfail(reason="joint variables asked for are passed over in silence")
 def test_a_table_that_closes_elsewhere_is_moved(tmp_path: Path) -> None:
     ELSEWHERE["four-bar"].load(tmp_path)
     found = mobility(sk.load(tmp_path / "linkage.yaml", at={"qA": "1/10"})).at_posture
