@@ -83,8 +83,8 @@ def _joint(joint: Joint, values: dict[str, Expression]) -> Joint:
 
 def _held(joint: Joint, values: dict[str, Expression]) -> tuple[Expression | None, ...]:
     before = joint.held or (None,) * len(joint.variables)
-    known = [values.get(name) for name in joint.variables]
     held = tuple(
-        old if new is None else new for old, new in zip(before, known, strict=True)
+        values.get(name, None if old is None else substitute(old, values))
+        for name, old in zip(joint.variables, before, strict=True)
     )
     return held if any(value is not None for value in held) else ()

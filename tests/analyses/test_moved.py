@@ -263,3 +263,13 @@ def test_json_keeps_where_the_mechanism_came_to(angle: str) -> None:
     assert isinstance(back, Mobility)
     assert back == answer
     assert back.at_posture is not None
+
+
+def test_a_held_angle_in_symbols_takes_the_values_of_the_file() -> None:
+    """As `singularities` prints it; generic and at the values it is one family."""
+    at = {"q2": "atan(-r3/d3)", "q7": "atan(r3/d3)"}
+    answer = sk.mobility(sk.load("nao_t14", at=at))
+    assert (answer.loop_rank, answer.platform.twist_dimension) == (5, 3)
+    assert answer.at_values is not None
+    assert answer.at_values.loop_rank == 5
+    assert answer.at_values.platform.motion_type == answer.platform.motion_type
