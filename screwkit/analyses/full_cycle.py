@@ -26,15 +26,15 @@ def full_cycle(
         at: Its motion at the posture.
         known: The answer at the values of the file, where the rank is the same.
     """
-    if network.mechanism.geometry == "mdh" and not network.tied:
+    mechanism = network.mechanism
+    held = any(joint.held for joint in mechanism.joints)
+    if mechanism.geometry == "mdh" and not network.tied and not held:
         return _all_closed(network, at)
     proof = proved_mobility(network, at)
     if known is not None:
         sample = None
     else:
-        sample = sampled_motion(
-            network.mechanism, generic=bool(network.mechanism.parameters)
-        )
+        sample = sampled_motion(mechanism, generic=bool(mechanism.parameters))
     if proof is not None:
         branches = known.branches if known is not None else _branches(network, sample)
         if {branch.mobility for branch in branches} - set(proof.mobility):

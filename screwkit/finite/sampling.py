@@ -8,6 +8,7 @@ from screwkit.errors import UndecidedError, UnknownNameError
 from screwkit.finite.finite_motion import FiniteMotion, finite_motion
 from screwkit.finite.posture_model import posture_model
 from screwkit.kinematics.loops import ring_at
+from screwkit.kinematics.placement import why_tied
 from screwkit.mechanism.model import Mechanism
 
 LARGEST = 150
@@ -30,6 +31,8 @@ def sampled_motion(mechanism: Mechanism, *, generic: bool = False) -> FiniteMoti
         return _open(f"{freedoms} freedoms are too many to sample")
     try:
         values = _spread(mechanism) if generic else {}
+        if mechanism.geometry == "mdh" and not why_tied(mechanism):
+            values |= _anywhere(mechanism)
         return finite_motion(posture_model(mechanism, values))
     except UnknownNameError:
         return _open("symbols without values leave no posture to sample at")
@@ -39,6 +42,17 @@ def sampled_motion(mechanism: Mechanism, *, generic: bool = False) -> FiniteMoti
 
 def _open(reason: str) -> FiniteMotion:
     return FiniteMotion("undecided", (), (), reason)
+
+
+def _anywhere(mechanism: Mechanism) -> dict[str, float]:
+    """Random values of the joint variables that a table leaves free."""
+    source = random.Random(2)
+    return {
+        name: source.uniform(-2.0, 2.0)
+        for joint in mechanism.joints
+        for index, name in enumerate(joint.variables)
+        if not joint.held or joint.held[index] is None
+    }
 
 
 def _spread(mechanism: Mechanism) -> dict[str, float]:
