@@ -9,6 +9,7 @@ References: [Hunt1978], §13.
 
 from __future__ import annotations
 
+from screwkit.algebra.common_factors import without_common_factors
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.expression import Expression
 from screwkit.algebra.modular import echelon
@@ -116,7 +117,10 @@ def _in_symbols(
     except TooLargeError:
         return None
     chosen = independent(framed.ring, spanning)
-    return framed.ring, tuple(shortened(framed.ring, spanning[i]) for i in chosen)
+    return framed.ring, tuple(
+        shortened(framed.ring, without_common_factors(framed.ring, spanning[i]))
+        for i in chosen
+    )
 
 
 def _at_numbers(

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from screwkit.algebra.common_factors import without_common_factors
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.analyses.identified import ScrewWriter
@@ -200,7 +201,11 @@ def _reciprocal(
         columns = _spanning(assembly, limb, framed, *locked)
         outside = out_of_plane(assembly, twists=True)
         basis = reciprocal_basis(ring, [*columns, *outside])
-        return [FoundScrew(column) for column in basis.columns]
+        library = assembly.library(ring)
+        return [
+            FoundScrew(without_common_factors(ring, column, library))
+            for column in basis.columns
+        ]
     origin = assembly.limb_twists[limb.name].origin
     twists = joint_twists(mechanism, ring, origin, limb.chain)
     chosen = [tuple(ring.without_divisors(twists[x].coordinates)) for x in joints]

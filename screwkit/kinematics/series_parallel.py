@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from screwkit.algebra.common_factors import without_common_factors
 from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.errors import TooLargeError
 from screwkit.mechanism.model import Joint
@@ -146,11 +147,17 @@ def element_columns(
             for inner in branch
             for c in element_columns(ring, inner, columns, largest)
         ]
-        wrenches += reciprocal_basis(ring, spanned).columns
+        wrenches += [
+            without_common_factors(ring, c)
+            for c in reciprocal_basis(ring, spanned).columns
+        ]
     size = sum(len(entry) for column in wrenches for entry in column)
     if largest is not None and size > largest:
         raise TooLargeError(
             f"the wrenches of {', '.join(element.joints)} have {size} terms, too many "
             f"for a system in symbols"
         )
-    return reciprocal_basis(ring, wrenches).columns
+    return tuple(
+        without_common_factors(ring, column)
+        for column in reciprocal_basis(ring, wrenches).columns
+    )

@@ -1,0 +1,48 @@
+"""What all entries of a column share is found, even where a normal form hides it."""
+
+from __future__ import annotations
+
+import pytest
+
+from screwkit.algebra.common_factors import without_common_factors
+from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.parse import parse
+from screwkit.algebra.survey import SurveyRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+
+
+def polynomials(*texts: str) -> tuple[TrigonometricRing, list[Polynomial]]:
+    seen = SurveyRing()
+    for text in texts:
+        evaluate(parse(text), seen)
+    ring = TrigonometricRing(seen)
+    return ring, [ring.normal(evaluate(parse(text), ring)) for text in texts]
+
+
+@pytest.mark.parametrize(
+    "shared",
+    ["sin(q)", "cos(q)", "a*sin(q) + b*cos(q)", "sin(q)^2", "a + sin(q)", "sin(p - q)"],
+)
+@pytest.mark.parametrize(
+    "rest",
+    [
+        ("sin(q)", "cos(q)", "a"),
+        ("a*sin(q)", "b", "1 + a*b"),
+        ("cos(p)", "sin(q)", "0"),
+    ],
+)
+def test_a_shared_factor_is_divided_out(shared: str, rest: tuple[str, ...]) -> None:
+    texts = [f"({shared})*({entry})" for entry in rest]
+    ring, both = polynomials(*texts, *rest, shared)
+    product, plain = both[: len(rest)], both[len(rest) : 2 * len(rest)]
+    found = list(without_common_factors(ring, product))
+    assert max(map(len, found)) <= max(map(len, plain))
+    for one, other in ((found, plain), (found, product)):
+        for a, b in zip(one, other, strict=True):
+            for c, d in zip(one, other, strict=True):
+                assert ring.normal(a * d - c * b) == 0
+
+
+def test_columns_without_a_shared_factor_stay() -> None:
+    ring, column = polynomials("sin(q)", "cos(q)", "a")
+    assert list(without_common_factors(ring, column)) == column
