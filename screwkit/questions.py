@@ -13,12 +13,13 @@ from typing import Any
 from screwkit.case import Case
 from screwkit.errors import UndecidedError
 from screwkit.progress import Progress, silent
-from screwkit.results.analysis import Analysis, Undecided
+from screwkit.results.analysis import Analysis
 from screwkit.results.mobility import Mobility, MotionCase
 from screwkit.results.motion import MotionPath
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import RelativeMotion, Screws
 from screwkit.results.singularities import Singularities
+from screwkit.results.undecided import Undecided
 
 
 def mobility(case: Case, progress: Progress = silent) -> Mobility:

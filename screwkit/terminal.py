@@ -157,7 +157,7 @@ def faulty(case: str, source: str, faults: tuple[Fault, ...], *, as_json: bool) 
 def _partial(request: Request, reason: str, parts: tuple[tuple[str, Any], ...]) -> None:
     """What was finished, and that the rest is undecided."""
     from screwkit.reports.verdict import partial_analysis  # noqa: PLC0415
-    from screwkit.results.analysis import Undecided  # noqa: PLC0415
+    from screwkit.results.undecided import Undecided  # noqa: PLC0415
 
     open_question = Undecided(reason)
     whole = partial_analysis(parts, reason)

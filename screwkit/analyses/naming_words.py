@@ -111,7 +111,7 @@ def platform_words(text: ScrewTexts, joints: Sequence[str], of: int) -> str:
     >>> platform_words(ScrewTexts("free", ("0", "0", "1")), "AB", 2)
     'the platform translates along [0, 0, 1]; all joints move'
     """
-    return f"the platform {_moves(text)}; {_moving_joints(joints, of)}"
+    return f"the platform {screw_moves(text)}; {_moving_joints(joints, of)}"
 
 
 def idle_words(
@@ -150,7 +150,7 @@ def idle_words(
     if text is None or not text.direction:
         bodies_move = "moves" if one else "move"
         return f"{listed(joints)} {moves}{how}: {moving} {bodies_move}{rests}"
-    does = _moves(text) if one else _moves(text).replace("s ", " ", 1)
+    does = screw_moves(text) if one else screw_moves(text).replace("s ", " ", 1)
     return f"{listed(joints)} {moves}{how}: {moving} {does}"
 
 
@@ -174,7 +174,8 @@ def _limb(name: str) -> str:
     return name if name.startswith("limb") else f"limb {name}"
 
 
-def _moves(text: ScrewTexts) -> str:
+def screw_moves(text: ScrewTexts) -> str:
+    """What a body with that twist does: ``translates along [0, 0, 1]``."""
     along = f" along {bracketed(text.direction)}" if text.direction else ""
     if text.kind == "free":
         return f"translates{along}"

@@ -8,15 +8,15 @@ References: [WangGuyDavenport1982] (rational reconstruction).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
-from typing import TypeAlias
+from typing import Protocol, TypeAlias
 
+from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.reconstruction import AlgebraicNumber, Reconstruction
 from screwkit.conventions import DIRECTION, MOMENT
-from screwkit.kinematics.exact_postures import ExactPosture
 from screwkit.reasons.readable_screws import kind_of, passes
 from screwkit.screw.vector import cross, dot
 
@@ -47,10 +47,29 @@ class ScrewTexts:
     through: tuple[str, ...] = ()
 
 
-class TextReader:
-    """Reads residues modulo the primes of two postures of one mechanism."""
+class ExactPoint(Protocol):
+    """A point known modulo a prime."""
 
-    def __init__(self, first: ExactPosture, second: ExactPosture) -> None:
+    @property
+    def prime(self) -> int:
+        """The modulus."""
+        ...
+
+    @property
+    def constants(self) -> Mapping[str, int]:
+        """Residues of the generators of the geometry's constants."""
+        ...
+
+    @property
+    def field(self) -> ConstantField:
+        """The field of the constants."""
+        ...
+
+
+class TextReader:
+    """Reads residues of one mechanism at one point, modulo two primes."""
+
+    def __init__(self, first: ExactPoint, second: ExactPoint) -> None:
         self.primes = first.prime, second.prime
         self._numbers = Reconstruction(
             first.field, self.primes, (first.constants, second.constants)

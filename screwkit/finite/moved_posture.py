@@ -9,7 +9,7 @@ from math import atan2, isfinite
 from screwkit.algebra.evaluation import cosine_sine, evaluate
 from screwkit.algebra.expression import Expression
 from screwkit.errors import ExpressionError
-from screwkit.finite.loop_closure import moved_to
+from screwkit.finite.loop_closure import ClosedMotion, moved_to
 from screwkit.finite.posture_model import PostureModel, posture_model
 from screwkit.finite.posture_numbers import PostureNumbers, numbers_at
 from screwkit.kinematics.loops import ring_at
@@ -43,11 +43,42 @@ class MovedPosture:
         return self.free.gap if isfinite(self.free.gap) else None
 
 
+@dataclass(frozen=True)
+class Arrival:
+    """A motion to given joint variables, before anything is counted.
+
+    Attributes:
+        found: The motion, its coordinates counted from ``start``.
+        start: The mechanism where the motion starts.
+        before: Joint variables there, where the file counts them.
+        values: By joint variable where the motion ended, from the posture of the file.
+    """
+
+    found: ClosedMotion
+    start: PostureModel
+    before: Mapping[str, float]
+    values: Mapping[str, float]
+
+
 def moved_posture(
     mechanism: Mechanism,
     wanted: Mapping[str, Expression],
     start: Mapping[str, float] | None = None,
 ) -> MovedPosture:
+    """Move joint variables from the posture of the file to given values, and count.
+
+    Arguments and errors are those of `arrival_at`.
+    """
+    there = arrival_at(mechanism, wanted, start)
+    found = there.found
+    return _report(mechanism, found.model, found.closed, found.reason, there.values)
+
+
+def arrival_at(
+    mechanism: Mechanism,
+    wanted: Mapping[str, Expression],
+    start: Mapping[str, float] | None = None,
+) -> Arrival:
     """Move joint variables from the posture of the file to given values.
 
     Args:
@@ -84,7 +115,7 @@ def moved_posture(
         if label in names:
             value = float(change) + before.get(names[label], 0.0)
             values[names[label]] = 0.0 if abs(value) < ROUNDING else value
-    return _report(mechanism, found.model, found.closed, found.reason, values)
+    return Arrival(found, model, before, values)
 
 
 def _report(

@@ -12,17 +12,20 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import TypeAlias
+from typing import Any, Generic, Protocol, TypeAlias, TypeVar
 
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.expression import ZERO, Number
 from screwkit.algebra.modular import ModularRing, ResampleError, prime_for
 from screwkit.algebra.survey import SurveyRing
 from screwkit.errors import UndecidedError
+from screwkit.kinematics.freedoms import JointTwist
 from screwkit.kinematics.placement import joint_twists
 from screwkit.kinematics.values import with_values
 from screwkit.mechanism.model import Mechanism
 
+T = TypeVar("T")
+T_co = TypeVar("T_co", covariant=True)
 ResidueTwist: TypeAlias = tuple[int, ...]
 _ATTEMPTS = 200
 
@@ -44,6 +47,67 @@ class ExactPosture:
     field: ConstantField
 
 
+@dataclass(frozen=True)
+class ExactValues(Generic[T]):
+    """What a computation over a ring gives at an exact point.
+
+    Attributes:
+        value: Its residues.
+        ring: The residues' ring, for more values at the same point.
+        prime: The modulus.
+        constants: Residues of the generators of the geometry's constants.
+        field: The field of the constants.
+    """
+
+    value: T
+    ring: ModularRing
+    prime: int
+    constants: Mapping[str, int]
+    field: ConstantField
+
+
+class Computation(Protocol[T_co]):
+    """Anything that kinematics does over any ring."""
+
+    def __call__(self, ring: Any, /) -> T_co:
+        """The result in that ring."""
+        ...
+
+
+def exact_values(
+    computation: Computation[T], seed: int, bits: int = 61
+) -> ExactValues[T]:
+    """A computation at a point that is random where it has symbols.
+
+    Args:
+        computation: Of one argument, a ring.
+        seed: Chooses the prime and the residues.
+        bits: Size of the prime.
+
+    Raises:
+        UndecidedError: If no point was found, because a root or an inverse in the
+            geometry does not exist at any of many attempts.
+    """
+    seen = SurveyRing()
+    computation(seen)
+    radicands = [r.value for r in seen.roots if isinstance(r, Number)]
+    field = ConstantField.needed_by(radicands, seen.turn)
+    roots = [*radicands, *map(Fraction, field.primes)]
+    for attempt in range(_ATTEMPTS):
+        prime = prime_for(seen.turn, roots, seed + 1000 * attempt, bits)
+        ring = ModularRing(seed + attempt, prime, field)
+        try:
+            value = computation(ring)
+            constants = {g: int(ring.generator(g)) for g in field.generators}
+        except (ResampleError, ZeroDivisionError):
+            continue
+        return ExactValues(value, ring, prime, constants, field)
+    raise UndecidedError(
+        f"no exact posture was found in {_ATTEMPTS} attempts: a root or an inverse in "
+        f"the geometry may not exist"
+    )
+
+
 def exact_posture(mechanism: Mechanism, seed: int, bits: int = 61) -> ExactPosture:
     """A posture of a mechanism, random where it has symbols.
 
@@ -54,34 +118,21 @@ def exact_posture(mechanism: Mechanism, seed: int, bits: int = 61) -> ExactPostu
         bits: Size of the prime.
 
     Raises:
-        UndecidedError: If no posture was found, because a root or an inverse in the
-            geometry does not exist at any of many attempts.
+        UndecidedError: See `exact_values`.
     """
-    seen = SurveyRing()
-    joint_twists(mechanism, seen, mechanism.base)
-    radicands = [r.value for r in seen.roots if isinstance(r, Number)]
-    field = ConstantField.needed_by(radicands, seen.turn)
-    roots = [*radicands, *map(Fraction, field.primes)]
-    for attempt in range(_ATTEMPTS):
-        prime = prime_for(seen.turn, roots, seed + 1000 * attempt, bits)
-        ring = ModularRing(seed + attempt, prime, field)
-        try:
-            twists = joint_twists(mechanism, ring, mechanism.base)
-            constants = {g: int(ring.generator(g)) for g in field.generators}
-        except (ResampleError, ZeroDivisionError):
-            continue
-        return ExactPosture(
-            {
-                label: tuple(int(x) for x in twist.coordinates)
-                for label, twist in twists.items()
-            },
-            prime,
-            constants,
-            field,
-        )
-    raise UndecidedError(
-        f"no exact posture was found in {_ATTEMPTS} attempts: a root or an inverse in "
-        f"the geometry may not exist"
+
+    def twists(ring: Any) -> Mapping[str, JointTwist[Any]]:
+        return joint_twists(mechanism, ring, mechanism.base)
+
+    found = exact_values(twists, seed, bits)
+    return ExactPosture(
+        {
+            label: tuple(int(x) for x in twist.coordinates)
+            for label, twist in found.value.items()
+        },
+        found.prime,
+        found.constants,
+        found.field,
     )
 
 

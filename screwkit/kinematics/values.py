@@ -44,6 +44,10 @@ def with_values(mechanism: Mechanism, values: Mapping[str, Expression]) -> Mecha
         vectors={name: vector(v) for name, v in mechanism.vectors.items()},
         pose=pose,
         reference_point=None if point is None else vector(point),
+        weights={
+            key: tuple(tuple(substitute(x, known) for x in row) for row in rows)
+            for key, rows in mechanism.weights.items()
+        },
     )
 
 

@@ -68,11 +68,12 @@ from screwkit.reports.sections import (
     found,
     plain_value,
 )
-from screwkit.results.analysis import Analysis, ClaimCheck, Undecided
+from screwkit.results.analysis import Analysis, ClaimCheck
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import Screws
 from screwkit.results.singularities import Singularities
+from screwkit.results.undecided import Undecided
 
 
 @dataclass(frozen=True)

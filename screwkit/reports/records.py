@@ -15,7 +15,7 @@ from typing import Any, Final, TypeAlias
 from screwkit.conventions import RESULT_SCHEMA
 from screwkit.errors import Fault
 from screwkit.reports.wire import Json, decode, encode, schema
-from screwkit.results.analysis import Analysis, Description, Undecided
+from screwkit.results.analysis import Analysis, Description
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import RelativeMotion, Screws
@@ -25,6 +25,7 @@ from screwkit.results.singularities import (
     LimbSingularities,
     Singularities,
 )
+from screwkit.results.undecided import Undecided
 
 Result: TypeAlias = (
     Mobility | Screws | RelativeMotion | Singularities | Schemes | Analysis | Undecided

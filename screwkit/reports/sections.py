@@ -36,7 +36,7 @@ from screwkit.reports.blocks import (
     words,
 )
 from screwkit.reports.notation import is_mathematics
-from screwkit.results.analysis import Analysis, ClaimCheck, Description, Undecided
+from screwkit.results.analysis import Analysis, ClaimCheck, Description
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import RelativeMotion, Screws
@@ -46,6 +46,7 @@ from screwkit.results.singularities import (
     LimbSingularities,
     Singularities,
 )
+from screwkit.results.undecided import Undecided
 
 _FORMULA = re.compile(r"[*(]|\w [-+] \w")
 

@@ -7,11 +7,12 @@ from dataclasses import replace
 from typing import Any
 
 from screwkit.reports.about_screws import LINEAR
-from screwkit.results.analysis import Analysis, Description, Undecided
+from screwkit.results.analysis import Analysis, Description
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import IdentifiedScrew, Screws
 from screwkit.results.singularities import Singularities
+from screwkit.results.undecided import Undecided
 
 
 def is_plain_yes(result: Any) -> bool:

@@ -13,7 +13,6 @@ from functools import cache
 from types import NoneType, UnionType
 from typing import Any, Final, TypeAlias, Union, get_args, get_origin, get_type_hints
 
-from screwkit.results.analysis import Undecided
 from screwkit.results.mobility import Mobility
 from screwkit.results.screws import (
     ActuationWrench,
@@ -22,6 +21,7 @@ from screwkit.results.screws import (
     PlatformScrews,
     RelativeMotion,
 )
+from screwkit.results.undecided import Undecided
 
 Json: TypeAlias = dict[str, Any]
 

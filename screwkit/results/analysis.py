@@ -9,14 +9,7 @@ from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import Screws
 from screwkit.results.singularities import Singularities
-
-
-@dataclass(frozen=True)
-class Undecided:
-    """An open question: why, and what would help."""
-
-    reason: str
-    status: str = "undecided"
+from screwkit.results.undecided import Undecided
 
 
 @dataclass(frozen=True)

@@ -6,13 +6,7 @@ written down here, not computed, so that reports can be tested without the engin
 
 from __future__ import annotations
 
-from screwkit.results.analysis import (
-    Analysis,
-    ClaimCheck,
-    Description,
-    JointRow,
-    Undecided,
-)
+from screwkit.results.analysis import Analysis, ClaimCheck, Description, JointRow
 from screwkit.results.mobility import (
     Actuation,
     Counts,
@@ -49,6 +43,7 @@ from screwkit.results.singularities import (
     Singularities,
     Solution,
 )
+from screwkit.results.undecided import Undecided
 
 CASE = "nao_t14"
 TITLE = "Two five-joint arms of a humanoid holding one object"

@@ -1,0 +1,75 @@
+"""Sentences about the blocks of the partition, in the file's names."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Final
+
+from screwkit.analyses.naming_words import MANY, listed, screw_moves
+from screwkit.analyses.screw_texts import ScrewTexts
+
+_MEANING: Final[Mapping[str, str]] = {
+    "a_r": "actuated joints move alone, everything else at rest",
+    "p_r": "passive joints move alone: idle freedoms",
+    "o_i": "the platform moves although all joints are locked",
+    "po_i": "the platform moves with passive joints although the actuators are locked",
+    "ap_c": "actuated and passive joints move together, the platform at rest",
+    "ao_c": "actuated joints move the platform, passive joints at rest",
+    "apo_c": "actuated joints move the platform, passive joints follow",
+}
+
+
+def meaning(block: str) -> str:
+    """What a block of the partition is, in a sentence.
+
+    >>> meaning("o_i")
+    'the platform moves although all joints are locked'
+    """
+    return _MEANING[block]
+
+
+def motion_words(
+    block: str,
+    screw: ScrewTexts | None,
+    actuated: Sequence[str],
+    passive: Sequence[str],
+) -> str:
+    """One vector of a block.
+
+    Args:
+        block: Its name.
+        screw: The object's twist; None where it rests.
+        actuated: Actuated freedoms that move.
+        passive: Passive ones that move.
+
+    >>> up = ScrewTexts("free", ("0", "0", "1"))
+    >>> motion_words("apo_c", up, ["1", "5"], ["2"])
+    'the platform translates along [0, 0, 1]; 1 and 5 drive it, 2 follows'
+    >>> motion_words("p_r", None, [], ["S1", "S2"])
+    'S1 and S2 move together'
+    >>> spin = ScrewTexts("line", ("1", "0", "0"), ("0", "1", "0"))
+    >>> motion_words("o_i", spin, [], [])
+    'the platform rotates about the line through [0, 1, 0] along [1, 0, 0]'
+    """
+    parts = []
+    if actuated and screw is not None:
+        parts.append(f"{_names(actuated)} {_verb(actuated, 'drive')} it")
+    elif actuated or passive:
+        joints = [*actuated, *passive]
+        alone = "moves" if len(joints) == 1 else "move together"
+        parts.append(f"{_names(joints)} {alone}")
+    if passive and screw is not None:
+        parts.append(f"{_names(passive)} {_verb(passive, 'follow')}")
+    joined = ", ".join(parts)
+    if screw is None:
+        return joined
+    moves = f"the platform {screw_moves(screw)}"
+    return f"{moves}; {joined}" if joined else moves
+
+
+def _verb(names: Sequence[str], verb: str) -> str:
+    return f"{verb}s" if len(names) == 1 else verb
+
+
+def _names(names: Sequence[str]) -> str:
+    return listed(names) if len(names) <= MANY else f"{len(names)} joints"

@@ -1,0 +1,184 @@
+"""The posture at which manipulability is asked for, exact where it can be.
+
+Symbols take the values of the file, joint variables that nothing ties are 0 unless
+they are held elsewhere.  A table that is closed nowhere exact, and a motion that loops
+take along, leave numbers only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+from screwkit.algebra.expression import ONE, ZERO, Expression
+from screwkit.algebra.expression_building import multiply, quotient
+from screwkit.analyses.moved import closed_table
+from screwkit.analyses.partition import GraspPair
+from screwkit.errors import UndecidedError
+from screwkit.finite.moved_posture import arrival_at
+from screwkit.grasping.exact_grasp import Ranks
+from screwkit.grasping.matrices import GraspMatrices
+from screwkit.kinematics.exact_postures import at_zero
+from screwkit.kinematics.network import Network
+from screwkit.kinematics.placement import why_tied
+from screwkit.kinematics.values import declared_values, with_values
+from screwkit.mechanism.joints import is_actuable
+from screwkit.mechanism.model import Joint, JointType, Mechanism, freedom_label
+from screwkit.metrics.float_grasp import float_matrices, float_values
+from screwkit.metrics.posture_grasp import grasp_on_arrival
+from screwkit.results.manipulability import PostureNote
+
+
+@dataclass(frozen=True)
+class GraspPosture:
+    """A grasp ready to be measured.
+
+    Attributes:
+        symbolic: The mechanism with its symbols, its scheme completed.
+        mechanism: With numbers for all of them.
+        matrices: J and Gᵀ in floats.
+        pair: The grasp modulo two primes; None where the posture is no exact one.
+        all_actuated: Whether the file declares no scheme.
+        variables: Values of symbols and joint variables.
+    """
+
+    symbolic: Mechanism
+    mechanism: Mechanism
+    matrices: GraspMatrices[Any]
+    pair: GraspPair | None
+    all_actuated: bool
+    variables: Mapping[str, float]
+
+    @property
+    def ranks(self) -> Ranks | None:
+        """Exact, or None."""
+        return None if self.pair is None else self.pair.grasps[0].ranks
+
+    @cached_property
+    def generic(self) -> GraspPair | None:
+        """The grasp at a random point of the symbols; None where it has none."""
+        mechanism = self.symbolic
+        free = mechanism.geometry != "posture" and not why_tied(mechanism)
+        if mechanism.parameters or (free and mechanism.joint_variables):
+            return GraspPair.of(mechanism)
+        return self.pair
+
+    def note(self, gap: float | None) -> PostureNote:
+        """The posture as the answer gives it."""
+        return PostureNote(
+            tuple(self.variables), tuple(self.variables.values()), gap is None, gap
+        )
+
+
+def grasp_posture(
+    network: Network, wanted: Mapping[str, Expression], length: Expression | None
+) -> GraspPosture:
+    """The grasp of a mechanism at the posture that is asked for.
+
+    Args:
+        network: Of the mechanism.
+        wanted: Values of joint variables that loops tie together.
+        length: Counts as one radian where the file gives no weights.
+
+    Raises:
+        UndecidedError: If a symbol has no value or the posture is not reached.
+    """
+    mechanism, none_declared = _with_scheme(network.mechanism)
+    if length is not None:
+        mechanism = with_length(mechanism, length)
+    values = declared_values(mechanism)
+    missing = [p.name for p in mechanism.parameters if p.name not in values]
+    if missing:
+        raise UndecidedError(
+            f"manipulability is a number at a posture, and {', '.join(missing)} "
+            f"{'has' if len(missing) == 1 else 'have'} no value: --set {missing[0]}=…"
+        )
+    numbers = with_values(mechanism, values)
+    variables = float_values(values)
+    table = closed_table(Network(mechanism))
+    if wanted or table is not None:
+        start = None if table is None else table.values
+        there = arrival_at(numbers, wanted, start)
+        if not there.found.closed:
+            raise UndecidedError(f"the posture was not reached: {there.found.reason}")
+        matrices = grasp_on_arrival(numbers, there)
+        variables |= dict(there.values)
+        return GraspPosture(
+            mechanism, numbers, matrices, None, none_declared, variables
+        )
+    if mechanism.geometry != "posture":
+        free = {
+            n: ZERO for n in mechanism.joint_variables if not _is_held(mechanism, n)
+        }
+        variables |= dict.fromkeys(free, 0.0)
+        numbers = at_zero(numbers) if why_tied(numbers) else with_values(numbers, free)
+    return GraspPosture(
+        mechanism,
+        numbers,
+        float_matrices(numbers),
+        GraspPair.of(numbers),
+        none_declared,
+        variables,
+    )
+
+
+def _is_held(mechanism: Mechanism, name: str) -> bool:
+    for joint in mechanism.joints:
+        if name in joint.variables and joint.held:
+            return joint.held[joint.variables.index(name)] is not None
+    return False
+
+
+def _with_scheme(mechanism: Mechanism) -> tuple[Mechanism, bool]:
+    """All joints actuated where the file declares none."""
+    if mechanism.actuated:
+        return mechanism, False
+    joints = tuple(
+        replace(joint, actuated=tuple(range(len(joint.variables))))
+        if is_actuable(joint.type)
+        else joint
+        for joint in mechanism.joints
+    )
+    order = tuple(freedom_label(j, k) for j in joints for k in j.actuated)
+    return replace(mechanism, joints=joints, scheme_order=order), True
+
+
+def with_length(mechanism: Mechanism, length: Expression) -> Mechanism:
+    """The mechanism with weights by which a length counts as one radian.
+
+    Weights that the file declares stay.  Twists weigh v by 1/length², rates those of
+    translations; wrenches and torques are the dual: moments and torques by 1/length².
+    """
+    square = quotient(ONE, multiply(length, length))
+    planar = mechanism.space == "planar"
+    twist = [ONE, square, square] if planar else [ONE] * 3 + [square] * 3
+    wrench = [ONE, ONE, square] if planar else [ONE] * 3 + [square] * 3
+    by_name = {joint.name: joint for joint in mechanism.joints}
+    slides = [_slides(by_name, label) for label in mechanism.scheme_order]
+    weights = dict(mechanism.weights)
+    for key, diagonal in (
+        ("twist", twist),
+        ("wrench", wrench),
+        ("rates", [square if slide else ONE for slide in slides]),
+        ("torques", [ONE if slide else square for slide in slides]),
+    ):
+        weights.setdefault(
+            key,
+            tuple(
+                tuple(x if i == j else ZERO for j in range(len(diagonal)))
+                for i, x in enumerate(diagonal)
+            ),
+        )
+    return replace(mechanism, weights=weights)
+
+
+def _slides(by_name: Mapping[str, Joint], label: str) -> bool:
+    """Whether a freedom is a translation."""
+    name, _, number = label.rpartition(":")
+    joint = by_name.get(label) or by_name[name]
+    index = 0 if label in by_name else int(number)
+    return joint.type is JointType.PRISMATIC or (
+        joint.type in (JointType.CYLINDRICAL, JointType.PLANAR) and index > 0
+    )

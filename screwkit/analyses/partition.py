@@ -1,0 +1,164 @@
+"""The mobility partition in words: who can move without whom, block by block.
+
+Dimensions come from an exact point, generic where the mechanism has symbols; the
+vectors of a block are written as expressions where they are short, else at the values
+of the file.
+
+References: [BicchiMelchiorri] §3, [BicchiPrattichizzo] eqs. (2)-(5).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from screwkit.algebra.polynomial_text import text
+from screwkit.algebra.reconstruction import Reconstruction
+from screwkit.analyses.block_words import meaning, motion_words
+from screwkit.analyses.screw_texts import ScrewTexts, TextReader
+from screwkit.grasping.exact_grasp import ExactGrasp, exact_grasp, reconstruction
+from screwkit.grasping.partition import BLOCKS, Blocks, blocks_of
+from screwkit.grasping.symbolic_blocks import (
+    Vector,
+    polynomial_matrices,
+    symbolic_blocks,
+)
+from screwkit.mechanism.model import Mechanism
+from screwkit.results.manipulability import BlockMotion, Gamma, MotionBlock
+
+LONGEST: Final = 600
+"""Characters of a vector up to which it is written."""
+
+
+@dataclass(frozen=True)
+class GraspPair:
+    """A grasp at one exact point modulo two primes, with its partition.
+
+    Attributes:
+        grasps: At both.
+        blocks: At both; those of the point of larger rank count.
+    """
+
+    grasps: tuple[ExactGrasp, ExactGrasp]
+    blocks: tuple[Blocks, Blocks]
+
+    @classmethod
+    def of(cls, mechanism: Mechanism) -> GraspPair:
+        """At random exact points, or at the numbers of the file.
+
+        Raises:
+            UndecidedError: If there is no exact point.
+        """
+        one, other = exact_grasp(mechanism, 1), exact_grasp(mechanism, 2)
+        if other.ranks.apo > one.ranks.apo:
+            one, other = other, one
+        return cls((one, other), (blocks_of(one), blocks_of(other)))
+
+    @property
+    def numbers(self) -> Reconstruction:
+        """The way back from residues."""
+        return reconstruction(self.grasps)
+
+
+def gamma_of(blocks: Blocks) -> Gamma:
+    """The seven dimensions."""
+    return Gamma(*blocks.dimensions)
+
+
+def motion_blocks(
+    mechanism: Mechanism, generic: GraspPair, at: GraspPair
+) -> tuple[tuple[MotionBlock, ...], bool]:
+    """The blocks that are not empty, and whether their vectors hold for all values.
+
+    Args:
+        mechanism: With its symbols.
+        generic: At random points.
+        at: At the values of the file; the same as ``generic`` where there are none.
+    """
+    named = at if at.blocks[0].dimensions == generic.blocks[0].dimensions else generic
+    vectors: dict[str, tuple[Vector | None, ...]] = {}
+    ring = None
+    if mechanism.parameters or mechanism.joint_variables:
+        ring, matrices = polynomial_matrices(mechanism)
+        grasp, blocks = generic.grasps[0], generic.blocks[0]
+        vectors = dict(symbolic_blocks(ring, matrices, grasp, blocks))
+    found, symbolic = [], True
+    for name in BLOCKS:
+        own = []
+        for number, pair in enumerate(
+            zip(named.blocks[0].basis[name], named.blocks[1].basis[name], strict=True)
+        ):
+            written: tuple[str, ...] = ()
+            vector = vectors.get(name, ())[number] if vectors else None
+            if ring is not None and vector is not None:
+                written = tuple(text(ring, value) for value in vector)
+                written = written if sum(map(len, written)) <= LONGEST else ()
+            if not written:
+                symbolic = symbolic and ring is None
+                written = _texts(named.numbers, pair)
+            own.append(_motion(name, written, pair, named))
+        if own:
+            found.append(MotionBlock(name, len(own), meaning(name), tuple(own)))
+    return tuple(found), symbolic
+
+
+def _texts(numbers: Reconstruction, pair: Sequence[Sequence[int]]) -> tuple[str, ...]:
+    known = numbers.numbers(*pair)
+    return () if known is None else tuple(number.text for number in known)
+
+
+def _motion(
+    block: str,
+    written: Sequence[str],
+    pair: tuple[Sequence[int], Sequence[int]],
+    at: GraspPair,
+) -> BlockMotion:
+    grasp = at.grasps[0]
+    freedoms = grasp.matrices.freedoms
+    moving = [i for i, x in enumerate(pair[0][: len(freedoms)]) if x]
+    split = grasp.actuated
+    actuated = [freedoms[i] for i in moving if i < split]
+    passive = [freedoms[i] for i in moving if i >= split]
+    object_moves = any(pair[0][len(freedoms) :])
+    screw = _object_screw(pair, at) if object_moves else None
+    return BlockMotion(
+        joints=tuple(freedoms[i] for i in moving),
+        rates=tuple(written[i] for i in moving) if written else (),
+        twist=tuple(written[len(freedoms) :]) if written and object_moves else (),
+        words=motion_words(block, screw, actuated, passive),
+    )
+
+
+def _object_screw(
+    pair: tuple[Sequence[int], Sequence[int]], at: GraspPair
+) -> ScrewTexts:
+    """The twist of the object about the base origin, read from residues."""
+    whole = []
+    for grasp, vector in zip(at.grasps, pair, strict=True):
+        u = [int(x) for x in vector[len(grasp.matrices.freedoms) :]]
+        if len(u) == 3:
+            u = [0, 0, u[0], u[1], u[2], 0]
+        x, y, z = (int(c) for c in grasp.matrices.reference_point)
+        a, b, c = u[:3]
+        shift = (b * z - c * y, c * x - a * z, a * y - b * x)
+        moment = [(v - s) % grasp.prime for v, s in zip(u[3:], shift, strict=True)]
+        whole.append([*u[:3], *moment])
+    reader = TextReader(*at.grasps)
+    near = [
+        tuple(
+            [int(x) for x in grasp.matrices.rows[number].wrench.point]
+            for grasp in at.grasps
+        )
+        for number in _first_rows(at.grasps[0])
+    ]
+    return reader.screw((whole[0], whole[1]), [(a, b) for a, b in near])
+
+
+def _first_rows(grasp: ExactGrasp) -> list[int]:
+    """The first row of each hold on the object."""
+    seen: dict[str, int] = {}
+    for number, row in enumerate(grasp.matrices.rows):
+        if row.hold.on_object:
+            seen.setdefault(row.hold.joint, number)
+    return list(seen.values())

@@ -1,0 +1,1 @@
+"""The mechanism as hands that hold an object: contacts, partition, statics."""

@@ -1,0 +1,179 @@
+"""Characteristic polynomials of the indices at an exact point.
+
+An index is stationary where det(λ M − N) vanishes, N and M being the numerator and the
+denominator on a basis of the coordinated motions (or forces), each at its least over
+what does not count.  Modulo a prime this is plain linear algebra, and the coefficients
+are the exact ones.
+
+Unit axes need no square roots: a rate or a force counts in units of its own axis, so
+that only squares of lengths enter where the weight is diagonal.
+
+References: [BicchiPrattichizzo] eqs. (12), (13), (22)-(24).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.residue_matrices import Rows, gram, identity, matrix
+from screwkit.grasping.exact_grasp import ExactGrasp
+from screwkit.grasping.partition import Blocks
+from screwkit.grasping.statics import (
+    ContactForces,
+    contact_forces,
+    torques_of,
+    wrenches_of,
+)
+from screwkit.mechanism.model import Mechanism
+
+
+@dataclass(frozen=True)
+class Characteristics:
+    """Monic polynomials, constant term first, as residues; None where not at hand."""
+
+    kinematic: tuple[int, ...] | None
+    force: tuple[int, ...] | None
+    internal: tuple[int, ...] | None
+
+
+def characteristics(
+    mechanism: Mechanism, grasp: ExactGrasp, blocks: Blocks
+) -> Characteristics:
+    """The polynomials of the kinematic, the force and the internal index.
+
+    None where a weight with entries off its diagonal meets axes of other than unit
+    length, whose roots are not in the field.
+    """
+    metrics = _Metrics.of(mechanism, grasp)
+    kinematic = force = internal = None
+    if metrics.twist is not None and metrics.rates is not None:
+        kinematic = _kinematic(grasp, blocks, metrics)
+    if metrics.torques is not None:
+        statics = contact_forces(grasp)
+        if metrics.wrench is not None:
+            force = _force(grasp, statics, metrics)
+        if metrics.forces is not None:
+            internal = _internal(grasp, statics, metrics)
+    return Characteristics(kinematic, force, internal)
+
+
+@dataclass(frozen=True)
+class _Metrics:
+    """Weights in the grasp's own scale, as matrices; None where a root is missing."""
+
+    twist: Rows | None
+    wrench: Rows | None
+    rates: Rows | None
+    torques: Rows | None
+    forces: Rows | None
+
+    @classmethod
+    def of(cls, mechanism: Mechanism, grasp: ExactGrasp) -> _Metrics:
+        prime, size = grasp.prime, grasp.twists
+        written = {
+            key: [[int(evaluate(x, grasp.ring)) for x in row] for row in rows]
+            for key, rows in mechanism.weights.items()
+        }
+        strokes = [int(x) for x in grasp.matrices.strokes[: grasp.actuated]]
+        squares = [int(x) for x in grasp.matrices.squares]
+        inverse = [pow(x, -1, prime) for x in strokes]
+        return cls(
+            written.get("twist", identity(size)),
+            written.get("wrench", identity(size)),
+            _scaled(written.get("rates", identity(len(strokes))), strokes, prime),
+            _scaled(written.get("torques", identity(len(strokes))), inverse, prime),
+            None
+            if "contact_forces" in written
+            else _scaled(identity(len(squares)), squares, prime),
+        )
+
+
+def _scaled(weight: Rows, squares: Sequence[int], prime: int) -> Rows | None:
+    """The weight for coordinates that count in units of √square."""
+    diagonal = all(
+        not x for i, row in enumerate(weight) for j, x in enumerate(row) if i != j
+    )
+    if diagonal:
+        pairs = enumerate(zip(weight, squares, strict=True))
+        return [
+            [row[i] * square % prime if i == j else 0 for j in range(len(row))]
+            for i, (row, square) in pairs
+        ]
+    return weight if all(square == 1 for square in squares) else None
+
+
+def _kinematic(grasp: ExactGrasp, blocks: Blocks, metrics: _Metrics) -> tuple[int, ...]:
+    a, o = blocks.actuated, blocks.actuated + blocks.passive
+
+    def part(names: Sequence[str], where: slice) -> Rows:
+        return [list(v[where]) for name in names for v in blocks.basis[name]]
+
+    rates, twists = slice(0, a), slice(o, None)
+    coordinated = ("apo_c", "ao_c")
+    assert metrics.twist is not None
+    assert metrics.rates is not None
+    prime = grasp.prime
+    above = _least(
+        part(coordinated, twists), part(("po_i", "o_i"), twists), metrics.twist, prime
+    )
+    below = _least(
+        part(coordinated, rates), part(("a_r", "ap_c"), rates), metrics.rates, prime
+    )
+    return _monic(above, below, prime)
+
+
+def _force(
+    grasp: ExactGrasp, statics: ContactForces, metrics: _Metrics
+) -> tuple[int, ...]:
+    prime = grasp.prime
+    assert metrics.wrench is not None
+    assert metrics.torques is not None
+    above = _least(
+        wrenches_of(grasp, statics.others),
+        wrenches_of(grasp, statics.quiet),
+        metrics.wrench,
+        prime,
+    )
+    below = _least(
+        torques_of(grasp, statics.others),
+        torques_of(grasp, statics.inner),
+        metrics.torques,
+        prime,
+    )
+    return _monic(above, below, prime)
+
+
+def _internal(
+    grasp: ExactGrasp, statics: ContactForces, metrics: _Metrics
+) -> tuple[int, ...]:
+    prime = grasp.prime
+    assert metrics.forces is not None
+    assert metrics.torques is not None
+    above = _least(statics.inner, statics.silent, metrics.forces, prime)
+    below = _least(torques_of(grasp, statics.inner), [], metrics.torques, prime)
+    return _monic(above, below, prime)
+
+
+def _least(vectors: Rows, free: Rows, metric: Rows, prime: int) -> Any:
+    """Gram matrix of vectors, each at its least over the span of ``free``."""
+    size = len(vectors)
+    both = [*vectors, *free]
+    products = gram(both, metric, prime)
+    upper = matrix([row[:size] for row in products[:size]], size, size, prime)
+    if not free or not size:
+        return upper
+    count = len(free)
+    across = matrix([row[size:] for row in products[:size]], size, count, prime)
+    within = matrix([row[size:] for row in products[size:]], count, count, prime)
+    return upper - across * within.solve(across.transpose())
+
+
+def _monic(above: Any, below: Any, prime: int) -> tuple[int, ...]:
+    """Coefficients of det(λ − M⁻¹N), constant term first."""
+    if not above.nrows():
+        return (1,)
+    polynomial = below.solve(above).charpoly()
+    return tuple(int(c) for c in polynomial.coeffs())

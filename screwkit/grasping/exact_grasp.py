@@ -1,0 +1,209 @@
+"""The grasp at one exact point: residues of J and Gᵀ, and the ranks that count.
+
+All dimensions of the partition, of the statics and of the indices are sums of seven
+ranks, so that each is exact: at the values of the file, or generic where symbols are
+left.
+
+References: [BicchiPrattichizzo] eqs. (2)-(5), (15)-(19), [Schwartz1980].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+from screwkit.algebra.constants import ConstantField
+from screwkit.algebra.modular import ModularRing, rank
+from screwkit.algebra.reconstruction import Reconstruction
+from screwkit.grasping.matrices import GraspMatrices, grasp_matrices
+from screwkit.kinematics.exact_postures import at_zero, exact_values
+from screwkit.kinematics.placement import why_tied
+from screwkit.mechanism.model import Mechanism
+
+
+@dataclass(frozen=True)
+class Ranks:
+    """Sizes and ranks of J_a, J_p and Gᵀ and of what is put together of them.
+
+    Attributes:
+        rows: Components of the contact forces.
+        actuated, passive, twists: Columns of J_a, J_p and Gᵀ.
+        a, p, o, ap, ao, po, apo: The ranks: a of J_a, p of J_p, o of Gᵀ.
+    """
+
+    rows: int
+    actuated: int
+    passive: int
+    twists: int
+    a: int
+    p: int
+    o: int
+    ap: int
+    ao: int
+    po: int
+    apo: int
+
+    @property
+    def redundancy(self) -> int:
+        """Of R: actuated motions at which the object may rest."""
+        return self.actuated - (self.ap - self.p)
+
+    @property
+    def indeterminacy(self) -> int:
+        """Of I: motions of the object with the actuators locked."""
+        return self.twists - (self.po - self.p)
+
+    @property
+    def coordinated(self) -> int:
+        """Pairs of actuated rates and object twists modulo R and I."""
+        return self.ap + self.po - self.apo - self.p
+
+    @property
+    def admissible(self) -> int:
+        """Of K = ker J_pᵀ: contact forces without torque at passive joints."""
+        return self.rows - self.p
+
+    @property
+    def static_indeterminacy(self) -> int:
+        """Of X: contact forces that neither object nor actuators feel."""
+        return self.rows - self.apo
+
+    @property
+    def structural(self) -> int:
+        """Of S modulo X: wrenches balanced without torque."""
+        return self.apo - self.ap
+
+    @property
+    def internal(self) -> int:
+        """Of H modulo X: torques that leave the object in balance."""
+        return self.apo - self.po
+
+
+@dataclass(frozen=True)
+class ExactGrasp:
+    """J and Gᵀ modulo a prime.
+
+    Attributes:
+        matrices: With residues for entries.
+        ring: For more values at the same point.
+        constants: Residues of the generators of the geometry's constants.
+        field: The field of the constants.
+    """
+
+    matrices: GraspMatrices[Any]
+    ring: ModularRing
+    constants: dict[str, int]
+    field: ConstantField
+
+    @property
+    def prime(self) -> int:
+        """The modulus."""
+        return self.ring.prime
+
+    @cached_property
+    def j(self) -> list[list[int]]:
+        """Rows of J, the actuated columns first."""
+        return [[int(x) for x in row] for row in self.matrices.j]
+
+    @cached_property
+    def gt(self) -> list[list[int]]:
+        """Rows of Gᵀ."""
+        return [[int(x) for x in row] for row in self.matrices.gt]
+
+    @property
+    def actuated(self) -> int:
+        """How many freedoms are actuated."""
+        return len(self.matrices.actuated)
+
+    @property
+    def twists(self) -> int:
+        """Coordinates of an object twist: six, or three in the plane."""
+        return self.matrices.twist_size
+
+    def columns(self, parts: str) -> list[list[int]]:
+        """Rows of the columns of J_a (``a``), J_p (``p``) and −Gᵀ (``o``)."""
+        prime, split = self.prime, self.actuated
+        whole = []
+        for j, gt in zip(self.j, self.gt, strict=True):
+            row: list[int] = []
+            row += j[:split] if "a" in parts else []
+            row += j[split:] if "p" in parts else []
+            row += [-x % prime for x in gt] if "o" in parts else []
+            whole.append(row)
+        return whole
+
+    @cached_property
+    def object_alone(self) -> int:
+        """Motions of the object with all joints locked but contacts: N_i."""
+        own = self.matrices
+        places = [own.freedoms.index(label) for label in own.slipping]
+        slipping = [[row[i] for i in places] for row in self.j]
+        both = [[*row, *gt] for row, gt in zip(slipping, self.gt, strict=True)]
+        taken = rank(both, self.prime) - rank(slipping, self.prime)
+        return self.twists - taken
+
+    def only(self, contacts: Collection[str], freedoms: Collection[str]) -> ExactGrasp:
+        """The part of some contacts and of the freedoms that move them."""
+        own = self.matrices
+        rows = [i for i, row in enumerate(own.rows) if row.hold.joint in contacts]
+        columns = [i for i, label in enumerate(own.freedoms) if label in freedoms]
+        part = replace(
+            own,
+            rows=tuple(own.rows[i] for i in rows),
+            actuated=tuple(x for x in own.actuated if x in freedoms),
+            passive=tuple(x for x in own.passive if x in freedoms),
+            j=tuple(tuple(own.j[i][k] for k in columns) for i in rows),
+            gt=tuple(own.gt[i] for i in rows),
+            squares=tuple(own.squares[i] for i in rows),
+            strokes=tuple(own.strokes[i] for i in columns),
+        )
+        return replace(self, matrices=part)
+
+    @cached_property
+    def ranks(self) -> Ranks:
+        """All of them."""
+
+        def of(parts: str) -> int:
+            return rank(self.columns(parts), self.prime)
+
+        return Ranks(
+            rows=len(self.j),
+            actuated=self.actuated,
+            passive=len(self.matrices.passive),
+            twists=self.twists,
+            a=of("a"),
+            p=of("p"),
+            o=of("o"),
+            ap=of("ap"),
+            ao=of("ao"),
+            po=of("po"),
+            apo=of("apo"),
+        )
+
+
+def exact_grasp(mechanism: Mechanism, seed: int) -> ExactGrasp:
+    """The grasp at a point that is random where the mechanism has symbols.
+
+    Where loops tie joint variables together the posture of the file is taken.
+
+    Raises:
+        UndecidedError: If no exact point was found, or a contact has no place.
+    """
+    if why_tied(mechanism):
+        mechanism = at_zero(mechanism)
+
+    def matrices(ring: Any) -> GraspMatrices[Any]:
+        return grasp_matrices(mechanism, ring)
+
+    found = exact_values(matrices, seed)
+    return ExactGrasp(found.value, found.ring, dict(found.constants), found.field)
+
+
+def reconstruction(grasps: Sequence[ExactGrasp]) -> Reconstruction:
+    """The way back from residues at the same point modulo two primes."""
+    one, other = grasps
+    return Reconstruction(
+        one.field, (one.prime, other.prime), (one.constants, other.constants)
+    )

@@ -1,0 +1,93 @@
+"""What contact forces do: the parts of eq. (19) at an exact point.
+
+Contact forces that passive joints let through are parted into those that neither the
+object nor the actuators feel, those that only one of them feels, and the rest.
+
+References: [BicchiPrattichizzo] eqs. (15)-(19), with the corrected dimensions.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from screwkit.algebra.modular import annihilator, echelon
+from screwkit.algebra.residue_matrices import Rows, product
+from screwkit.grasping.exact_grasp import ExactGrasp
+
+
+@dataclass(frozen=True)
+class ContactForces:
+    """Admissible contact forces in four parts, as residues, a vector in each row.
+
+    Attributes:
+        silent: X: that neither object nor actuators feel.
+        quiet: S modulo X: that actuators do not feel.
+        inner: H modulo X: that the object does not feel.
+        others: A complement in K.
+    """
+
+    silent: Rows
+    quiet: Rows
+    inner: Rows
+    others: Rows
+
+
+@dataclass(frozen=True)
+class StaticBases:
+    """Reduced echelon bases, the same modulo each prime.
+
+    Attributes:
+        structural: Wrenches (f; m) that are balanced without torque.
+        internal: Torques of the actuators that leave the object in balance.
+    """
+
+    structural: Rows
+    internal: Rows
+
+
+def contact_forces(grasp: ExactGrasp) -> ContactForces:
+    """The four parts."""
+    prime, rows = grasp.prime, len(grasp.j)
+
+    def unfelt(parts: str) -> Rows:
+        columns = [list(column) for column in zip(*grasp.columns(parts), strict=True)]
+        return annihilator(columns, rows, prime)
+
+    silent = unfelt("apo")
+    quiet = _complement(silent, unfelt("ap"), prime)
+    inner = _complement(silent, unfelt("po"), prime)
+    known = [*silent, *quiet, *inner]
+    return ContactForces(silent, quiet, inner, _complement(known, unfelt("p"), prime))
+
+
+def static_bases(grasp: ExactGrasp) -> StaticBases:
+    """Bases of the structural wrenches and of the internal torques."""
+    forces = contact_forces(grasp)
+    return StaticBases(
+        echelon(wrenches_of(grasp, forces.quiet), grasp.prime),
+        echelon(torques_of(grasp, forces.inner), grasp.prime),
+    )
+
+
+def torques_of(grasp: ExactGrasp, forces: Rows) -> Rows:
+    """Of the actuated joints, per unit of their own axes: −J_aᵀ f up to the sign."""
+    split = grasp.actuated
+    return product(forces, [row[:split] for row in grasp.j], grasp.prime)
+
+
+def wrenches_of(grasp: ExactGrasp, forces: Rows) -> Rows:
+    """On the object, (f; m)."""
+    size = grasp.twists
+    order = [1, 2, 0] if size == 3 else [3, 4, 5, 0, 1, 2]
+    return product(forces, [[row[i] for i in order] for row in grasp.gt], grasp.prime)
+
+
+def _complement(known: Rows, vectors: Rows, prime: int) -> Rows:
+    """Vectors that complete a space to that of ``vectors``."""
+    chosen: Rows = []
+    rank = len(echelon(known, prime))
+    for vector in vectors:
+        trial = [*known, *chosen, vector]
+        if len(echelon(trial, prime)) == rank + len(chosen) + 1:
+            chosen.append(vector)
+    return chosen

@@ -1,0 +1,103 @@
+"""The partition in symbols: basis vectors as polynomials, where they are short.
+
+Which entries of a basis vector vanish is known from residues.  On the others it is the
+only vector that the rows annihilate, so its entries are signed minors; nothing is
+divided but common factors.  Vectors that would grow too long are left out.
+
+References: [BicchiMelchiorri] eqs. (8)-(9), [BicchiPrattichizzo] eq. (5).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Final, TypeAlias
+
+from screwkit.algebra.minors import minors_of
+from screwkit.algebra.modular import rank
+from screwkit.algebra.survey import SurveyRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.grasping.exact_grasp import ExactGrasp
+from screwkit.grasping.matrices import GraspMatrices, grasp_matrices
+from screwkit.grasping.partition import BLOCKS, Blocks
+from screwkit.mechanism.model import Mechanism
+from screwkit.screw.nullspace import shortened
+
+Vector: TypeAlias = tuple[Polynomial, ...]
+
+LARGEST: Final = 12
+"""Entries of a vector up to which its minors are expanded."""
+
+TERMS: Final = 400
+"""Terms of all rows together up to which minors are expanded."""
+
+
+def polynomial_matrices(
+    mechanism: Mechanism,
+) -> tuple[TrigonometricRing, GraspMatrices[Polynomial]]:
+    """J and Gᵀ over exact polynomials in the symbols of the file.
+
+    Raises:
+        UndecidedError: If a contact has no place.
+    """
+    seen = SurveyRing()
+    grasp_matrices(mechanism, seen)
+    ring = TrigonometricRing(seen)
+    return ring, grasp_matrices(mechanism, ring)
+
+
+def symbolic_blocks(
+    ring: TrigonometricRing,
+    matrices: GraspMatrices[Polynomial],
+    grasp: ExactGrasp,
+    blocks: Blocks,
+) -> Mapping[str, tuple[Vector | None, ...]]:
+    """The vectors of each block, (q_a; q_p; u); None where one is too long.
+
+    Args:
+        ring: Of the entries.
+        matrices: From `polynomial_matrices`.
+        grasp: The same at a random exact point.
+        blocks: Of that point.
+    """
+    rows = [
+        ring.without_divisors((*j, *(-x for x in gt)))
+        for j, gt in zip(matrices.j, matrices.gt, strict=True)
+    ]
+    residues = grasp.columns("apo")
+    return {
+        block: tuple(
+            _vector(ring, rows, residues, vector, grasp.prime)
+            for vector in blocks.basis[block]
+        )
+        for block in BLOCKS
+    }
+
+
+def _vector(
+    ring: TrigonometricRing,
+    rows: Sequence[Sequence[Polynomial]],
+    residues: Sequence[Sequence[int]],
+    vector: Sequence[int],
+    prime: int,
+) -> Vector | None:
+    support = [i for i, x in enumerate(vector) if x]
+    if len(support) > LARGEST:
+        return None
+    order = sorted(
+        range(len(rows)), key=lambda r: sum(len(rows[r][i]) for i in support)
+    )
+    chosen: list[int] = []
+    for number in order:
+        trial = [[residues[r][i] for i in support] for r in (*chosen, number)]
+        if len(chosen) + 1 < len(support) and rank(trial, prime) == len(trial):
+            chosen.append(number)
+    lines = [[rows[r][i] for i in support] for r in chosen]
+    if sum(len(x) for line in lines for x in line) > TERMS:
+        return None
+    minors = minors_of(ring, lines)
+    whole = (1 << len(support)) - 1
+    found: list[Polynomial] = [ring.zero] * len(vector)
+    for number, place in enumerate(support):
+        minor: Polynomial = minors.get(whole ^ 1 << number, ring.zero)
+        found[place] = -minor if number & 1 else minor
+    return shortened(ring, found)

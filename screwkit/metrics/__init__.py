@@ -1,0 +1,1 @@
+"""Manipulability in numbers: indices, ellipsoids, cooperating arms, many postures."""

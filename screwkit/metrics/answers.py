@@ -1,0 +1,218 @@
+"""Numbers of a posture as plain data: indices, ellipsoids, arms.
+
+The border between arrays and results: what comes out holds floats and tuples only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from screwkit.algebra.batch import Array
+from screwkit.grasping.exact_grasp import Ranks
+from screwkit.grasping.matrices import GraspMatrices
+from screwkit.mechanism.model import Mechanism
+from screwkit.metrics.cooperation import ArmPart, AxesOf, cooperation
+from screwkit.metrics.float_grasp import float_weights, of_matrices
+from screwkit.metrics.float_ranks import float_ranks
+from screwkit.metrics.indices import FloatGrasp, Index, Indices, Weights, indices
+from screwkit.metrics.spans import split
+from screwkit.results.manipulability import (
+    ArmEllipsoids,
+    Cooperative,
+    Ellipsoid,
+    IndexValues,
+)
+
+ROUNDED = 1e-15
+"""Entries of unit vectors below this are written as 0."""
+
+
+@dataclass(frozen=True)
+class ArmJoints:
+    """One arm by its names.
+
+    Attributes:
+        contacts: Its holds on the object.
+        freedoms: Its joints' freedoms.
+        ranks: Of that part alone; None where they are not known exactly.
+    """
+
+    name: str
+    contacts: tuple[str, ...]
+    freedoms: tuple[str, ...]
+    ranks: Ranks | None = None
+
+
+@dataclass(frozen=True)
+class PostureAnswers:
+    """Everything at one posture that is a number.
+
+    Attributes:
+        translation, rotation: Of the velocities of the reference point, and of the
+            angular velocities, for unit rates.
+        ranks: Those used: exact, or counted.
+        alone: Motions of the object with all joints locked but contacts, where ranks
+            were counted.
+        gamma: Dimensions of the seven blocks where ranks were counted; else empty.
+        gap: Of the least certain rank; None where all are exact.
+        least: Smallest of the singular values that count over the largest.
+    """
+
+    kinematic: IndexValues
+    force: IndexValues
+    active: IndexValues
+    passive: IndexValues
+    internal: IndexValues
+    translation: Ellipsoid
+    rotation: Ellipsoid
+    cooperative: Cooperative | None
+    ranks: Ranks
+    alone: int | None
+    gamma: tuple[int, ...]
+    gap: float | None
+    least: float
+
+
+def posture_answers(
+    mechanism: Mechanism,
+    matrices: GraspMatrices[Array],
+    ranks: Ranks | None,
+    arms: Sequence[ArmJoints] = (),
+) -> PostureAnswers:
+    """All indices, and the ellipsoids of several arms.
+
+    Args:
+        mechanism: For its weights; symbols with values.
+        matrices: At the posture.
+        ranks: Where they are known exactly.
+        arms: Two or more that hold the object; none asks for no ellipsoids of arms.
+    """
+    grasp = of_matrices(matrices, ranks)
+    weights = float_weights(mechanism, matrices, {})
+    counted: tuple[int, ...] = ()
+    gap = None
+    if ranks is None:
+        ranks, counted, gap = float_ranks(grasp)
+        grasp = replace(grasp, ranks=ranks)
+    found = indices(grasp, weights)
+    size = matrices.twist_size
+    angular = 1 if size == 3 else 3
+    shape = found.kinematic.shape
+    return PostureAnswers(
+        index_values(found.kinematic),
+        index_values(found.force),
+        index_values(found.active),
+        index_values(found.passive),
+        index_values(found.internal),
+        _ball_image(shape[angular:, angular:]),
+        _ball_image(shape[:angular, :angular]),
+        _cooperative(grasp, weights, found, matrices, arms) if arms else None,
+        ranks,
+        _alone(grasp, matrices) if counted else None,
+        counted,
+        None if gap is None else float(min(gap, 1e300)),
+        found.least,
+    )
+
+
+def _alone(grasp: FloatGrasp, matrices: GraspMatrices[Array]) -> int:
+    """Dimension of what the object can do with all joints locked but contacts."""
+    slipping = grasp.jp[:, _places(matrices.slipping, matrices.passive)]
+    both = np.concatenate([slipping, -grasp.gt], axis=1)
+    return int(grasp.gt.shape[1]) - (split(both).rank - split(slipping).rank)
+
+
+def index_values(index: Index) -> IndexValues:
+    """An index as plain data."""
+    return IndexValues(
+        tuple(float(x) for x in index.finite),
+        index.infinite,
+        index.zero,
+        _rows(index.task),
+        _rows(index.joint),
+        _rows(index.infinite_task) if index.infinite else (),
+        _rows(index.zero_joint) if index.zero else (),
+    )
+
+
+def _rows(matrix: Array) -> tuple[tuple[float, ...], ...]:
+    return tuple(
+        tuple(0.0 if abs(x) < ROUNDED else float(x) for x in row) for row in matrix
+    )
+
+
+def _ball_image(shape: Array) -> Ellipsoid:
+    """The ellipsoid with that shape matrix, axes of rounding size left out."""
+    if not shape.size:
+        return Ellipsoid()
+    values, vectors = np.linalg.eigh(shape)
+    order = np.argsort(values)[::-1]
+    largest = max(float(values.max(initial=0.0)), 0.0)
+    kept = [i for i in order if values[i] > 1e-12 * largest and largest > 0]
+    axes = AxesOf(np.sqrt(values[kept]), vectors[:, kept].T)
+    return ellipsoid(axes)
+
+
+def ellipsoid(axes: AxesOf) -> Ellipsoid:
+    """An ellipsoid as plain data; each direction with its largest entry positive."""
+    turned = []
+    for row in axes.directions:
+        largest = int(np.argmax(np.abs(row))) if len(row) else 0
+        turned.append(-row if len(row) and row[largest] < 0 else row)
+    lengths = tuple(float(x) for x in axes.lengths)
+    return Ellipsoid(lengths, _rows(np.array(turned)), axes.infinite)
+
+
+def _cooperative(
+    grasp: FloatGrasp,
+    weights: Weights,
+    whole: Indices,
+    matrices: GraspMatrices[Array],
+    arms: Sequence[ArmJoints],
+) -> Cooperative:
+    contacts = [
+        [i for i, row in enumerate(matrices.rows) if row.hold.joint == hold.joint]
+        for hold in matrices.holds.contacts
+    ]
+    parts = [
+        ArmPart(
+            arm.name,
+            tuple(
+                i
+                for i, row in enumerate(matrices.rows)
+                if row.hold.joint in arm.contacts
+            ),
+            _places(arm.freedoms, matrices.actuated),
+            _places(arm.freedoms, matrices.passive),
+            arm.ranks,
+        )
+        for arm in arms
+    ]
+    shared = cooperation(grasp, weights, whole, contacts, parts)
+    return Cooperative(
+        ellipsoid(shared.absolute),
+        ellipsoid(shared.external),
+        ellipsoid(shared.relative),
+        ellipsoid(shared.internal),
+        tuple(
+            ArmEllipsoids(
+                arm.name,
+                arm.freedoms,
+                ellipsoid(velocity),
+                ellipsoid(force),
+                tuple(float(x) for x in shared.shares[number])
+                if shared.shares.size
+                else (),
+            )
+            for number, (arm, (velocity, force)) in enumerate(
+                zip(arms, shared.arms, strict=True)
+            )
+        ),
+    )
+
+
+def _places(chosen: Sequence[str], among: Sequence[str]) -> tuple[int, ...]:
+    return tuple(i for i, label in enumerate(among) if label in chosen)
