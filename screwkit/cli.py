@@ -230,6 +230,32 @@ def schemes(
 
 
 @app.command()
+def manipulability(
+    case: CaseName,
+    *,
+    length: Annotated[
+        str | None,
+        typer.Option(
+            metavar="L", help="A length that counts as one radian, without weights."
+        ),
+    ] = None,
+    variant: Variant = None,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Who moves with whom, and how fast, strong and accurate the platform is.
+
+    Example: screwkit manipulability five_bar --actuated A,E
+    """
+    _answer(request_of("manipulability", locals(), length=length))
+
+
+@app.command()
 def analyze(
     case: CaseName,
     *,

@@ -14,6 +14,7 @@ from screwkit.case import Case
 from screwkit.errors import UndecidedError
 from screwkit.progress import Progress, silent
 from screwkit.results.analysis import Analysis
+from screwkit.results.manipulability import Manipulability
 from screwkit.results.mobility import Mobility, MotionCase
 from screwkit.results.motion import MotionPath
 from screwkit.results.schemes import Schemes
@@ -147,6 +148,28 @@ def schemes(
 
     _need_exact_posture(case)
     return analysis.schemes(case.assembly, size, candidates, balanced, progress)
+
+
+def manipulability(
+    case: Case, length: str = "", progress: Progress = silent
+) -> Manipulability:
+    """Who moves with whom, and how fast, strong and accurate the platform is.
+
+    Args:
+        case: The mechanism; a number for each of its symbols.
+        length: A length that counts as one radian where the file gives no weights; a
+            number or an expression of constants.
+        progress: Told about each stage.
+
+    Raises:
+        UndecidedError: If a symbol has no value, or the posture is not reached.
+        ExpressionError: If the length is no constant expression.
+    """
+    from screwkit.algebra.parse import parse  # noqa: PLC0415
+    from screwkit.analyses import manipulability as analysis  # noqa: PLC0415
+
+    measure = parse(str(length), ()) if length else None
+    return analysis.manipulability(case.network, case.wanted, measure, progress)
 
 
 def analyze(

@@ -23,6 +23,7 @@ TARGETS: Final = {
     "screws": "screwkit.questions:screws",
     "singularities": "screwkit.questions:singularities",
     "schemes": "screwkit.questions:schemes",
+    "manipulability": "screwkit.questions:manipulability",
     "analyze": "screwkit.questions:analyze",
 }
 

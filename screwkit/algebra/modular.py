@@ -217,6 +217,20 @@ def annihilator(
     return [[int(kernel[i, j]) for i in range(width)] for j in range(int(nullity))]
 
 
+def independent(rows: Sequence[Sequence[Residue]], prime: int) -> list[int]:
+    """Numbers of the first rows that are independent."""
+    if not rows or not rows[0]:
+        return []
+    columns = [int(row[i]) for i in range(len(rows[0])) for row in rows]
+    reduced, rank = nmod_mat(len(rows[0]), len(rows), columns, prime).rref()
+    chosen, start = [], 0
+    for line in range(int(rank)):
+        start = next(i for i in range(start, len(rows)) if reduced[line, i] != 0)
+        chosen.append(start)
+        start += 1
+    return chosen
+
+
 def echelon(rows: Sequence[Sequence[Residue]], prime: int) -> list[list[int]]:
     """The reduced row echelon form without zero rows: the same for every basis."""
     if not rows or not rows[0]:

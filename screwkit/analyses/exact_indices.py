@@ -14,7 +14,7 @@ from screwkit.algebra.closed_roots import closed_roots
 from screwkit.algebra.reconstruction import AlgebraicNumber, Reconstruction
 from screwkit.analyses.partition import GraspPair
 from screwkit.grasping.characteristic import characteristics
-from screwkit.grasping.statics import static_bases
+from screwkit.grasping.statics import contact_forces, static_bases
 from screwkit.mechanism.model import Mechanism
 from screwkit.results.manipulability import IndexValues
 
@@ -43,11 +43,12 @@ class ExactIndices:
 def exact_indices(mechanism: Mechanism, at: GraspPair) -> ExactIndices:
     """What is exact at the numbers of a mechanism."""
     numbers = at.numbers
+    forces = [contact_forces(grasp) for grasp in at.grasps]
     one, other = (
-        characteristics(mechanism, grasp, blocks)
-        for grasp, blocks in zip(at.grasps, at.blocks, strict=True)
+        characteristics(mechanism, *parts)
+        for parts in zip(at.grasps, at.blocks, forces, strict=True)
     )
-    bases = [static_bases(grasp) for grasp in at.grasps]
+    bases = [static_bases(*parts) for parts in zip(at.grasps, forces, strict=True)]
     strokes = at.grasps[0].matrices.strokes[: at.grasps[0].actuated]
     unit = all(int(stroke) == 1 for stroke in strokes)
     return ExactIndices(

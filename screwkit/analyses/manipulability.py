@@ -81,6 +81,7 @@ def manipulability(
         actuated=at.matrices.actuated,
         passive=at.matrices.passive,
         all_actuated=at.all_actuated,
+        space=at.mechanism.space,
         order="direction-moment",
         frame=at.mechanism.base,
         point=tuple(float(x) for x in at.matrices.reference_point),
@@ -121,7 +122,7 @@ def _partition(at: GraspPosture, answers: PostureAnswers) -> GraspPartition:
     redundancy = ranks.actuated + ranks.passive - ranks.ap
     blocks: tuple[MotionBlock, ...] = ()
     symbolic = False
-    if at.pair is not None and at.generic is not None:
+    if at.pair is not None:
         blocks, symbolic = motion_blocks(at.symbolic, at.generic, at.pair)
     return GraspPartition(
         mobility,

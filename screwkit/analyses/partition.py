@@ -9,7 +9,7 @@ References: [BicchiMelchiorri] §3, [BicchiPrattichizzo] eqs. (2)-(5).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -17,7 +17,7 @@ from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.reconstruction import Reconstruction
 from screwkit.analyses.block_words import meaning, motion_words
 from screwkit.analyses.screw_texts import ScrewTexts, TextReader
-from screwkit.grasping.exact_grasp import ExactGrasp, exact_grasp, reconstruction
+from screwkit.grasping.exact_grasp import ExactGrasp, exact_grasps, reconstruction
 from screwkit.grasping.partition import BLOCKS, Blocks, blocks_of
 from screwkit.grasping.symbolic_blocks import (
     Vector,
@@ -27,8 +27,8 @@ from screwkit.grasping.symbolic_blocks import (
 from screwkit.mechanism.model import Mechanism
 from screwkit.results.manipulability import BlockMotion, Gamma, MotionBlock
 
-LONGEST: Final = 600
-"""Characters of a vector up to which it is written."""
+TERMS: Final = 40
+"""Terms of a vector up to which it is written in symbols."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class GraspPair:
         Raises:
             UndecidedError: If there is no exact point.
         """
-        one, other = exact_grasp(mechanism, 1), exact_grasp(mechanism, 2)
+        one, other = exact_grasps(mechanism)
         if other.ranks.apo > one.ranks.apo:
             one, other = other, one
         return cls((one, other), (blocks_of(one), blocks_of(other)))
@@ -67,40 +67,44 @@ def gamma_of(blocks: Blocks) -> Gamma:
 
 
 def motion_blocks(
-    mechanism: Mechanism, generic: GraspPair, at: GraspPair
+    mechanism: Mechanism, generic: ExactGrasp | None, at: GraspPair
 ) -> tuple[tuple[MotionBlock, ...], bool]:
     """The blocks that are not empty, and whether their vectors hold for all values.
 
     Args:
         mechanism: With its symbols.
-        generic: At random points.
-        at: At the values of the file; the same as ``generic`` where there are none.
+        generic: At random points of the symbols, if the vectors are wanted for all
+            their values; used where the partition there is the same.
+        at: Where the blocks are asked for and their motions are named.
     """
-    named = at if at.blocks[0].dimensions == generic.blocks[0].dimensions else generic
     vectors: dict[str, tuple[Vector | None, ...]] = {}
     ring = None
-    if mechanism.parameters or mechanism.joint_variables:
-        ring, matrices = polynomial_matrices(mechanism)
-        grasp, blocks = generic.grasps[0], generic.blocks[0]
-        vectors = dict(symbolic_blocks(ring, matrices, grasp, blocks))
-    found, symbolic = [], True
+    if generic is not None:
+        blocks = blocks_of(generic)
+        if blocks.dimensions == at.blocks[0].dimensions:
+            ring, matrices = polynomial_matrices(mechanism)
+            vectors = dict(symbolic_blocks(ring, matrices, generic, blocks))
+    found, symbolic = [], ring is not None
     for name in BLOCKS:
         own = []
         for number, pair in enumerate(
-            zip(named.blocks[0].basis[name], named.blocks[1].basis[name], strict=True)
+            zip(at.blocks[0].basis[name], at.blocks[1].basis[name], strict=True)
         ):
             written: tuple[str, ...] = ()
             vector = vectors.get(name, ())[number] if vectors else None
-            if ring is not None and vector is not None:
+            if ring is not None and vector is not None and _is_short(vector):
                 written = tuple(text(ring, value) for value in vector)
-                written = written if sum(map(len, written)) <= LONGEST else ()
             if not written:
-                symbolic = symbolic and ring is None
-                written = _texts(named.numbers, pair)
-            own.append(_motion(name, written, pair, named))
+                symbolic = False
+                written = _texts(at.numbers, pair)
+            own.append(_motion(name, written, pair, at))
         if own:
             found.append(MotionBlock(name, len(own), meaning(name), tuple(own)))
     return tuple(found), symbolic
+
+
+def _is_short(vector: Vector) -> bool:
+    return sum(map(len, vector)) <= TERMS
 
 
 def _texts(numbers: Reconstruction, pair: Sequence[Sequence[int]]) -> tuple[str, ...]:
@@ -118,16 +122,22 @@ def _motion(
     freedoms = grasp.matrices.freedoms
     moving = [i for i, x in enumerate(pair[0][: len(freedoms)]) if x]
     split = grasp.actuated
-    actuated = [freedoms[i] for i in moving if i < split]
-    passive = [freedoms[i] for i in moving if i >= split]
+    driving = _joints((freedoms[i] for i in moving if i < split), at)
+    following = _joints((freedoms[i] for i in moving if i >= split), at)
     object_moves = any(pair[0][len(freedoms) :])
     screw = _object_screw(pair, at) if object_moves else None
     return BlockMotion(
         joints=tuple(freedoms[i] for i in moving),
         rates=tuple(written[i] for i in moving) if written else (),
         twist=tuple(written[len(freedoms) :]) if written and object_moves else (),
-        words=motion_words(block, screw, actuated, passive),
+        words=motion_words(block, screw, driving, following),
     )
+
+
+def _joints(labels: Iterable[str], at: GraspPair) -> list[str]:
+    """The joints of some freedoms, each once."""
+    joint_of = at.grasps[0].matrices.joint_of
+    return list(dict.fromkeys(joint_of[label] for label in labels))
 
 
 def _object_screw(

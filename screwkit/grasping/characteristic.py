@@ -23,7 +23,6 @@ from screwkit.grasping.exact_grasp import ExactGrasp
 from screwkit.grasping.partition import Blocks
 from screwkit.grasping.statics import (
     ContactForces,
-    contact_forces,
     torques_of,
     wrenches_of,
 )
@@ -40,7 +39,7 @@ class Characteristics:
 
 
 def characteristics(
-    mechanism: Mechanism, grasp: ExactGrasp, blocks: Blocks
+    mechanism: Mechanism, grasp: ExactGrasp, blocks: Blocks, forces: ContactForces
 ) -> Characteristics:
     """The polynomials of the kinematic, the force and the internal index.
 
@@ -52,11 +51,10 @@ def characteristics(
     if metrics.twist is not None and metrics.rates is not None:
         kinematic = _kinematic(grasp, blocks, metrics)
     if metrics.torques is not None:
-        statics = contact_forces(grasp)
         if metrics.wrench is not None:
-            force = _force(grasp, statics, metrics)
+            force = _force(grasp, forces, metrics)
         if metrics.forces is not None:
-            internal = _internal(grasp, statics, metrics)
+            internal = _internal(grasp, forces, metrics)
     return Characteristics(kinematic, force, internal)
 
 

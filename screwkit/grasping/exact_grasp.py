@@ -18,7 +18,7 @@ from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.modular import ModularRing, rank
 from screwkit.algebra.reconstruction import Reconstruction
 from screwkit.grasping.matrices import GraspMatrices, grasp_matrices
-from screwkit.kinematics.exact_postures import at_zero, exact_values
+from screwkit.kinematics.exact_postures import at_zero, exact_values, surveyed
 from screwkit.kinematics.placement import why_tied
 from screwkit.mechanism.model import Mechanism
 
@@ -183,10 +183,16 @@ class ExactGrasp:
         )
 
 
-def exact_grasp(mechanism: Mechanism, seed: int) -> ExactGrasp:
-    """The grasp at a point that is random where the mechanism has symbols.
+def exact_grasps(
+    mechanism: Mechanism, seeds: Sequence[int] = (1, 2)
+) -> tuple[ExactGrasp, ...]:
+    """The grasp at points that are random where the mechanism has symbols.
 
     Where loops tie joint variables together the posture of the file is taken.
+
+    Args:
+        mechanism: Any.
+        seeds: One for each point, and for its prime.
 
     Raises:
         UndecidedError: If no exact point was found, or a contact has no place.
@@ -197,8 +203,12 @@ def exact_grasp(mechanism: Mechanism, seed: int) -> ExactGrasp:
     def matrices(ring: Any) -> GraspMatrices[Any]:
         return grasp_matrices(mechanism, ring)
 
-    found = exact_values(matrices, seed)
-    return ExactGrasp(found.value, found.ring, dict(found.constants), found.field)
+    seen = surveyed(matrices)
+    points = [exact_values(matrices, seed, seen=seen) for seed in seeds]
+    return tuple(
+        ExactGrasp(found.value, found.ring, dict(found.constants), found.field)
+        for found in points
+    )
 
 
 def reconstruction(grasps: Sequence[ExactGrasp]) -> Reconstruction:

@@ -69,6 +69,7 @@ class GraspMatrices(Generic[S]):
         reference_point: Whose velocity v is, in base coordinates.
         twist_size: Coordinates of u.
         turning: Freedoms that turn what follows them.
+        joint_of: The joint of each freedom.
         slipping: Passive freedoms of contacts that carry a body.
     """
 
@@ -84,6 +85,7 @@ class GraspMatrices(Generic[S]):
     twist_size: int
     turning: frozenset[str]
     slipping: tuple[str, ...]
+    joint_of: Mapping[str, str]
 
     @property
     def freedoms(self) -> tuple[str, ...]:
@@ -167,6 +169,7 @@ def grasp_matrices(
             for name in holds.passing
             for label in freedom_labels(mechanism.joint(name), mechanism.space)
         ),
+        {label: twists[label].joint for label in order},
     )
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from screwkit.algebra.modular import annihilator, echelon
+from screwkit.algebra.modular import annihilator, echelon, independent
 from screwkit.algebra.residue_matrices import Rows, product
 from screwkit.grasping.exact_grasp import ExactGrasp
 
@@ -60,9 +60,8 @@ def contact_forces(grasp: ExactGrasp) -> ContactForces:
     return ContactForces(silent, quiet, inner, _complement(known, unfelt("p"), prime))
 
 
-def static_bases(grasp: ExactGrasp) -> StaticBases:
+def static_bases(grasp: ExactGrasp, forces: ContactForces) -> StaticBases:
     """Bases of the structural wrenches and of the internal torques."""
-    forces = contact_forces(grasp)
     return StaticBases(
         echelon(wrenches_of(grasp, forces.quiet), grasp.prime),
         echelon(torques_of(grasp, forces.inner), grasp.prime),
@@ -84,10 +83,5 @@ def wrenches_of(grasp: ExactGrasp, forces: Rows) -> Rows:
 
 def _complement(known: Rows, vectors: Rows, prime: int) -> Rows:
     """Vectors that complete a space to that of ``vectors``."""
-    chosen: Rows = []
-    rank = len(echelon(known, prime))
-    for vector in vectors:
-        trial = [*known, *chosen, vector]
-        if len(echelon(trial, prime)) == rank + len(chosen) + 1:
-            chosen.append(vector)
-    return chosen
+    both = [*known, *vectors]
+    return [both[i] for i in independent(both, prime) if i >= len(known)]

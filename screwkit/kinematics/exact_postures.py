@@ -74,8 +74,18 @@ class Computation(Protocol[T_co]):
         ...
 
 
+def surveyed(computation: Computation[Any]) -> SurveyRing:
+    """What a computation asks of a ring: the roots and angles of its constants."""
+    seen = SurveyRing()
+    computation(seen)
+    return seen
+
+
 def exact_values(
-    computation: Computation[T], seed: int, bits: int = 61
+    computation: Computation[T],
+    seed: int,
+    bits: int = 61,
+    seen: SurveyRing | None = None,
 ) -> ExactValues[T]:
     """A computation at a point that is random where it has symbols.
 
@@ -83,13 +93,13 @@ def exact_values(
         computation: Of one argument, a ring.
         seed: Chooses the prime and the residues.
         bits: Size of the prime.
+        seen: From `surveyed`, where several points are asked for.
 
     Raises:
         UndecidedError: If no point was found, because a root or an inverse in the
             geometry does not exist at any of many attempts.
     """
-    seen = SurveyRing()
-    computation(seen)
+    seen = seen or surveyed(computation)
     radicands = [r.value for r in seen.roots if isinstance(r, Number)]
     field = ConstantField.needed_by(radicands, seen.turn)
     roots = [*radicands, *map(Fraction, field.primes)]

@@ -18,7 +18,7 @@ from screwkit.metrics.cooperation import ArmPart, AxesOf, cooperation
 from screwkit.metrics.float_grasp import float_weights, of_matrices
 from screwkit.metrics.float_ranks import float_ranks
 from screwkit.metrics.indices import FloatGrasp, Index, Indices, Weights, indices
-from screwkit.metrics.spans import split
+from screwkit.metrics.spans import split, tidied
 from screwkit.results.manipulability import (
     ArmEllipsoids,
     Cooperative,
@@ -26,7 +26,7 @@ from screwkit.results.manipulability import (
     IndexValues,
 )
 
-ROUNDED = 1e-15
+ROUNDED = 1e-13
 """Entries of unit vectors below this are written as 0."""
 
 
@@ -133,8 +133,8 @@ def index_values(index: Index) -> IndexValues:
         index.zero,
         _rows(index.task),
         _rows(index.joint),
-        _rows(index.infinite_task) if index.infinite else (),
-        _rows(index.zero_joint) if index.zero else (),
+        _rows(tidied(index.infinite_task)) if index.infinite else (),
+        _rows(tidied(index.zero_joint)) if index.zero else (),
     )
 
 

@@ -67,3 +67,21 @@ def split(matrix: Array, rank: int | None = None) -> Split:
 def without(vectors: Array, subspace: Array) -> Array:
     """Columns less their parts in a subspace given by an orthonormal basis."""
     return np.asarray(vectors - subspace @ (subspace.T @ vectors))
+
+
+def tidied(rows: Array) -> Array:
+    """Another basis of the span of independent rows, with as many zeros as pivots give.
+
+    Reduced echelon form with the largest pivots, each row then of unit length.
+    """
+    left = np.array(rows, dtype=float)
+    for number in range(len(left)):
+        below = np.abs(left[number:])
+        row, column = np.unravel_index(int(np.argmax(below)), below.shape)
+        left[[number, number + row]] = left[[number + row, number]]
+        left[number] /= left[number, column]
+        for other in range(len(left)):
+            if other != number:
+                left[other] -= left[other, column] * left[number]
+    left[np.abs(left) < 1e-13] = 0.0
+    return np.asarray(left / np.linalg.norm(left, axis=1, keepdims=True))

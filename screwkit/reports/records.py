@@ -16,6 +16,7 @@ from screwkit.conventions import RESULT_SCHEMA
 from screwkit.errors import Fault
 from screwkit.reports.wire import Json, decode, encode, schema
 from screwkit.results.analysis import Analysis, Description
+from screwkit.results.manipulability import Manipulability
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import RelativeMotion, Screws
@@ -28,7 +29,14 @@ from screwkit.results.singularities import (
 from screwkit.results.undecided import Undecided
 
 Result: TypeAlias = (
-    Mobility | Screws | RelativeMotion | Singularities | Schemes | Analysis | Undecided
+    Mobility
+    | Screws
+    | RelativeMotion
+    | Singularities
+    | Schemes
+    | Manipulability
+    | Analysis
+    | Undecided
 )
 
 QUESTIONS: Final[dict[str, type]] = {
@@ -37,6 +45,7 @@ QUESTIONS: Final[dict[str, type]] = {
     "relative_motion": RelativeMotion,
     "singularities": Singularities,
     "schemes": Schemes,
+    "manipulability": Manipulability,
     "analyze": Analysis,
 }
 _NAMES: Final = {kind: name for name, kind in QUESTIONS.items()}

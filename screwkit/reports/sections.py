@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import singledispatch
 from typing import Any
 
+from screwkit.reports.about_manipulability import manipulability_blocks
 from screwkit.reports.about_mobility import mobility_blocks, topology_line
 from screwkit.reports.about_schemes import schemes_blocks
 from screwkit.reports.about_screws import relative_blocks, screws_blocks
@@ -37,6 +38,7 @@ from screwkit.reports.blocks import (
 )
 from screwkit.reports.notation import is_mathematics
 from screwkit.results.analysis import Analysis, ClaimCheck, Description
+from screwkit.results.manipulability import Manipulability
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import RelativeMotion, Screws
@@ -123,6 +125,11 @@ def _(result: Singularities) -> tuple[Block, ...]:
 @blocks.register
 def _(result: Schemes) -> tuple[Block, ...]:
     return schemes_blocks(result)
+
+
+@blocks.register
+def _(result: Manipulability) -> tuple[Block, ...]:
+    return manipulability_blocks(result)
 
 
 @blocks.register

@@ -245,6 +245,7 @@ class Manipulability:
     Attributes:
         actuated, passive: Freedoms in the order of rates.
         all_actuated: Whether the file declares no scheme and all joints are taken.
+        space: ``spatial`` or ``planar``.
         order: ``direction-moment``.
         frame: The base link.
         point: The reference point, in base coordinates.
@@ -268,6 +269,7 @@ class Manipulability:
     actuated: tuple[str, ...]
     passive: tuple[str, ...]
     all_actuated: bool
+    space: str
     order: str
     frame: str
     point: tuple[float, ...]
