@@ -34,6 +34,7 @@ from screwkit.mechanism.model import (
 from screwkit.mechanism.variants import at_variant
 
 if TYPE_CHECKING:
+    from screwkit.analyses.grasp_view import GraspView
     from screwkit.analyses.limb_view import LimbView
     from screwkit.kinematics.assembly import Assembly
     from screwkit.kinematics.network import Network
@@ -46,13 +47,18 @@ class Case:
         mechanism: What the file declares.
         wanted: Values of joint variables that loops tie together; the mechanism has
             still to be moved there.
+        path: Of its file; None where it has none.
     """
 
     def __init__(
-        self, mechanism: Mechanism, wanted: Mapping[str, Expression] | None = None
+        self,
+        mechanism: Mechanism,
+        wanted: Mapping[str, Expression] | None = None,
+        path: Path | None = None,
     ) -> None:
         self.mechanism = mechanism
         self.wanted = dict(wanted or {})
+        self.path = path
 
     def __repr__(self) -> str:
         return f"<screwkit case {self.mechanism.name!r}>"
@@ -61,6 +67,13 @@ class Case:
     def name(self) -> str:
         """The name in the file."""
         return self.mechanism.name
+
+    def refuse(self, place: Sequence[str | int], message: str) -> MechanismFileError:
+        """The refusal of something in the file, with its line and column."""
+        if self.path is None:
+            return MechanismFileError(self.name, (Fault(0, 0, message),))
+        fault = Fault(*place_of(self.path, tuple(place)), message)
+        return MechanismFileError(str(self.path), (fault,))
 
     @property
     def claims(self) -> tuple[Claim, ...]:
@@ -89,6 +102,13 @@ class Case:
         from screwkit.kinematics.network import Network  # noqa: PLC0415
 
         return Network(self.mechanism)
+
+    @cached_property
+    def grasp(self) -> GraspView:
+        """The platform as a grasped object: labelled matrices G, J, D, H."""
+        from screwkit.analyses.grasp_view import GraspView  # noqa: PLC0415
+
+        return GraspView(self.mechanism)
 
     @cached_property
     def limbs(self) -> tuple[LimbView, ...]:
@@ -142,7 +162,7 @@ def load(
     wanted: dict[str, Expression] = {}
     if at:
         mechanism, wanted = placed_at(mechanism, at)
-    return Case(mechanism, wanted)
+    return Case(mechanism, wanted, path)
 
 
 def found(source: str | Path) -> tuple[Path, str | None]:
@@ -238,7 +258,32 @@ def _with_actuated(mechanism: Mechanism, actuated: Sequence[str]) -> Mechanism:
         mechanism,
         joints=tuple(_driven(joint, wanted) for joint in mechanism.joints),
         scheme_order=tuple(actuated),
+        weights=_weights_of(mechanism, actuated),
     )
+
+
+def _weights_of(
+    mechanism: Mechanism, actuated: Sequence[str]
+) -> dict[str, tuple[tuple[Expression, ...], ...]]:
+    """The weights, those of rates and torques for other actuators.
+
+    Raises:
+        UnknownNameError: If a freedom has none.
+    """
+    found = dict(mechanism.weights)
+    before = list(mechanism.scheme_order)
+    for key in ("rates", "torques"):
+        if key not in found:
+            continue
+        for name in actuated:
+            if name not in before:
+                raise UnknownNameError(
+                    f"the weights of {key} in {mechanism.name} are for "
+                    f"{', '.join(before)}; there is none for {name!r}"
+                )
+        chosen = [before.index(name) for name in actuated]
+        found[key] = tuple(tuple(found[key][i][j] for j in chosen) for i in chosen)
+    return found
 
 
 def _driven(joint: Joint, actuated: frozenset[str]) -> Joint:

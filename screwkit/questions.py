@@ -164,10 +164,19 @@ def manipulability(
     Raises:
         UndecidedError: If a symbol has no value, or the posture is not reached.
         ExpressionError: If the length is no constant expression.
+        MechanismFileError: If no limb holds the platform.
     """
     from screwkit.algebra.parse import parse  # noqa: PLC0415
     from screwkit.analyses import manipulability as analysis  # noqa: PLC0415
+    from screwkit.mechanism.graph import holding_joints  # noqa: PLC0415
 
+    mechanism = case.mechanism
+    if not holding_joints(mechanism):
+        raise case.refuse(
+            ("platform",),
+            f"no limb holds the platform {mechanism.platform!r}: connect it with the "
+            f"base, or name another body as platform",
+        )
     measure = parse(str(length), ()) if length else None
     return analysis.manipulability(case.network, case.wanted, measure, progress)
 

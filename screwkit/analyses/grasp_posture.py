@@ -85,7 +85,7 @@ def grasp_posture(
     Raises:
         UndecidedError: If a symbol has no value or the posture is not reached.
     """
-    mechanism, none_declared = _with_scheme(network.mechanism)
+    mechanism, none_declared = with_scheme(network.mechanism)
     if length is not None:
         mechanism = with_length(mechanism, length)
     values = declared_values(mechanism)
@@ -131,7 +131,7 @@ def _is_held(mechanism: Mechanism, name: str) -> bool:
     return False
 
 
-def _with_scheme(mechanism: Mechanism) -> tuple[Mechanism, bool]:
+def with_scheme(mechanism: Mechanism) -> tuple[Mechanism, bool]:
     """All joints actuated where the file declares none."""
     if mechanism.actuated:
         return mechanism, False

@@ -32,12 +32,10 @@ from screwkit.metrics.answers import ArmJoints, PostureAnswers, posture_answers
 from screwkit.progress import Progress, silent
 from screwkit.results.manipulability import (
     Cooperative,
-    Gamma,
-    GraspPartition,
     Manipulability,
-    MotionBlock,
     Statics,
 )
+from screwkit.results.partition import Gamma, MotionBlock, Partition
 from screwkit.results.undecided import Undecided
 
 
@@ -111,7 +109,7 @@ def manipulability(
     )
 
 
-def _partition(at: GraspPosture, answers: PostureAnswers) -> GraspPartition:
+def _partition(at: GraspPosture, answers: PostureAnswers) -> Partition:
     ranks, alone = answers.ranks, answers.alone or 0
     if at.pair is None:
         gamma = Gamma(*answers.gamma)
@@ -124,7 +122,7 @@ def _partition(at: GraspPosture, answers: PostureAnswers) -> GraspPartition:
     symbolic = False
     if at.pair is not None:
         blocks, symbolic = motion_blocks(at.symbolic, at.generic, at.pair)
-    return GraspPartition(
+    return Partition(
         mobility,
         mobility - redundancy,
         redundancy,

@@ -15,8 +15,10 @@ from dataclasses import dataclass, replace
 from screwkit.analyses.counts import counts
 from screwkit.analyses.full_cycle import full_cycle, on_the_motion
 from screwkit.analyses.naming import named
+from screwkit.analyses.partition import GraspPair, gamma_of, generic_blocks
 from screwkit.analyses.platform import finite_types, platform
 from screwkit.kinematics.network import Motion, Network, motion
+from screwkit.mechanism.graph import holding_joints
 from screwkit.progress import Progress, silent
 from screwkit.results.mobility import (
     Actuation,
@@ -24,14 +26,17 @@ from screwkit.results.mobility import (
     FullCycle,
     Mobility,
     MotionCase,
-    Partition,
     Platform,
     SpecialValues,
     Topology,
 )
+from screwkit.results.partition import Partition
 
 TABLE = 60
 """Bodies up to which the table of connectivity is made."""
+
+BLOCKS_UP_TO = 60
+"""Joint freedoms up to which the partition is worked out block by block."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +95,7 @@ def mobility(
         full_cycle=answer.full_cycle,
         platform=about,
         actuation=answer.actuation,
-        partition=_partition(at),
+        partition=_with_blocks(_partition(at), network),
         at_values=None if special is None else _special(rank, about, answer, special),
         platform_name=mechanism.platform,
         redundancies=names.redundancies,
@@ -153,6 +158,22 @@ def _partition(at: Motion) -> Partition:
         connectivity,
         at.mobility - connectivity,
         len(slipping.platform_twists),
+    )
+
+
+def _with_blocks(partition: Partition, network: Network) -> Partition:
+    """With the seven blocks, where a scheme tells actuated joints from passive ones."""
+    mechanism = network.mechanism
+    small = len(network.labels) <= BLOCKS_UP_TO
+    if not (mechanism.actuated and small and holding_joints(mechanism)):
+        return partition
+    generic = GraspPair.of(mechanism)
+    blocks, symbolic = generic_blocks(network, generic)
+    return replace(
+        partition,
+        gamma=gamma_of(generic.blocks[0]),
+        blocks=blocks,
+        symbolic=symbolic,
     )
 
 

@@ -25,11 +25,11 @@ from screwkit.results.mobility import (
     AtPosture,
     Counts,
     Mobility,
-    Partition,
     Platform,
     Topology,
     Working,
 )
+from screwkit.results.partition import Partition
 
 
 def at_posture(

@@ -24,8 +24,9 @@ from screwkit.grasping.symbolic_blocks import (
     polynomial_matrices,
     symbolic_blocks,
 )
+from screwkit.kinematics.network import Network
 from screwkit.mechanism.model import Mechanism
-from screwkit.results.manipulability import BlockMotion, Gamma, MotionBlock
+from screwkit.results.partition import BlockMotion, Gamma, MotionBlock
 
 TERMS: Final = 40
 """Terms of a vector up to which it is written in symbols."""
@@ -101,6 +102,19 @@ def motion_blocks(
         if own:
             found.append(MotionBlock(name, len(own), meaning(name), tuple(own)))
     return tuple(found), symbolic
+
+
+def generic_blocks(
+    network: Network, generic: GraspPair
+) -> tuple[tuple[MotionBlock, ...], bool]:
+    """The blocks for generic values, their motions named at the file's where alike."""
+    symbols = generic.grasps[0] if network.has_symbols else None
+    at = generic
+    if network.at_values is not None:
+        there = GraspPair.of(network.at_values.mechanism)
+        if there.blocks[0].dimensions == generic.blocks[0].dimensions:
+            at = there
+    return motion_blocks(network.mechanism, symbols, at)
 
 
 def _is_short(vector: Vector) -> bool:

@@ -91,12 +91,7 @@ class Assembly:
             self.at_numbers = True
             self.mechanism = with_values(self.mechanism, values)
             self.limbs = _limb_chains(self.mechanism)
-        self.assumptions = Assumptions(
-            positive=frozenset(p.name for p in mechanism.parameters if p.positive),
-            nonzero=frozenset(
-                p.name for p in mechanism.parameters if p.nonzero or p.positive
-            ),
-        )
+        self.assumptions = assumptions_of(mechanism)
         self._libraries: dict[TrigonometricRing, FactorLibrary] = {}
 
     @cached_property
@@ -235,6 +230,16 @@ class Assembly:
             for joint in self.mechanism.joints
             for label in freedom_labels(joint, self.mechanism.space)
         }
+
+
+def assumptions_of(mechanism: Mechanism) -> Assumptions:
+    """The signs that a file declares for its symbols."""
+    return Assumptions(
+        positive=frozenset(p.name for p in mechanism.parameters if p.positive),
+        nonzero=frozenset(
+            p.name for p in mechanism.parameters if p.nonzero or p.positive
+        ),
+    )
 
 
 def loop_rows(limbs: Sequence[Sequence[Sequence[T]]]) -> list[list[T]]:

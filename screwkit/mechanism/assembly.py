@@ -41,6 +41,7 @@ from screwkit.mechanism.symbols import (
     read_variables,
 )
 from screwkit.mechanism.variants import check_values, read_variants
+from screwkit.mechanism.weight_checks import check_weights
 
 
 def assembled(draft: Draft, faults: Faults) -> Mechanism:
@@ -93,6 +94,7 @@ def assembled(draft: Draft, faults: Faults) -> Mechanism:
         variants=read_variants(draft, written, reading),
     )
     check_values(parameters, mechanism.variants, reading)
+    check_weights(mechanism, draft, reading)
     check_limb_names(mechanism, draft, reading)
     return mechanism
 

@@ -120,6 +120,25 @@ def other_parts(mechanism: Mechanism) -> tuple[Part, ...]:
     return tuple(part for part in _parts(mechanism) if len(part.touches) < 2)
 
 
+def holding_joints(mechanism: Mechanism) -> tuple[str, ...]:
+    """Joints and contacts by which bodies that hang on the base touch the platform."""
+    base, platform = mechanism.base, mechanism.platform
+    if base == platform:
+        return ()
+    others = [joint for joint in mechanism.joints if not _touches(joint, platform)]
+    links = [link for link in mechanism.links if link != platform]
+    near = next(group for group in _groups(links, others) if base in group)
+    return tuple(
+        joint.name
+        for joint in mechanism.joints
+        if _touches(joint, platform) and {joint.parent, joint.child} & set(near)
+    )
+
+
+def _touches(joint: Joint, link: str) -> bool:
+    return link in (joint.parent, joint.child)
+
+
 def has_freedom(joint: Joint) -> bool:
     """Whether the joint is no rigid connection."""
     return joint.type not in RIGID

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from screwkit.algebra.batch import Array
+from screwkit.errors import ExpressionError
 from screwkit.grasping.exact_grasp import Ranks
 from screwkit.grasping.matrices import GraspMatrices
 from screwkit.mechanism.model import Mechanism
@@ -97,7 +98,12 @@ def posture_answers(
     if ranks is None:
         ranks, counted, gap = float_ranks(grasp)
         grasp = replace(grasp, ranks=ranks)
-    found = indices(grasp, weights)
+    try:
+        found = indices(grasp, weights)
+    except np.linalg.LinAlgError:
+        raise ExpressionError(
+            "a weight is not positive definite at these values"
+        ) from None
     size = matrices.twist_size
     angular = 1 if size == 3 else 3
     shape = found.kinematic.shape

@@ -77,7 +77,7 @@ def tidied(rows: Array) -> Array:
     left = np.array(rows, dtype=float)
     for number in range(len(left)):
         below = np.abs(left[number:])
-        row, column = np.unravel_index(int(np.argmax(below)), below.shape)
+        row, column = divmod(int(np.argmax(below)), below.shape[1])
         left[[number, number + row]] = left[[number + row, number]]
         left[number] /= left[number, column]
         for other in range(len(left)):

@@ -23,11 +23,11 @@ from screwkit.reports.phrases import counted, listed, platform_called
 from screwkit.results.manipulability import (
     Cooperative,
     Ellipsoid,
-    GraspPartition,
     IndexValues,
     Manipulability,
     Statics,
 )
+from screwkit.results.partition import Partition
 from screwkit.results.undecided import Undecided
 
 RATES = 12
@@ -94,9 +94,7 @@ def _driven(answer: Manipulability) -> str:
     return f"actuated {listed(answer.actuated)}{tail}"
 
 
-def partition_blocks(
-    partition: GraspPartition, platform_name: str
-) -> tuple[Block, ...]:
+def partition_blocks(partition: Partition, platform_name: str) -> tuple[Block, ...]:
     """The four numbers, then the blocks that are not empty."""
     numbers = (
         f"mobility {partition.mobility}, connectivity {partition.connectivity}, "

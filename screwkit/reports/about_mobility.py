@@ -27,7 +27,7 @@ from screwkit.reports.blocks import (
     prose,
     words,
 )
-from screwkit.reports.phrases import counted, platform_called, signed
+from screwkit.reports.phrases import counted, listed, platform_called, signed
 from screwkit.results.mobility import (
     Actuation,
     AtPosture,
@@ -58,7 +58,7 @@ def mobility_blocks(answer: Mobility) -> tuple[Block, ...]:
             Heading(words(f"motion of {platform_called(answer.platform_name)}"), 2),
             motion_listing(answer.platform),
         ]
-    closing = [full_cycle(answer.full_cycle)]
+    closing = [full_cycle(answer.full_cycle), *driven(answer)]
     if answer.actuation is not None:
         closing.append(locked(answer.actuation, answer.platform_name))
     if answer.at_posture is not None:
@@ -130,6 +130,20 @@ def idle(answer: Mobility) -> str:
         return "none is idle"
     verb = "leaves" if number == 1 else "leave"
     return f"{number} {verb} {platform_called(answer.platform_name)} at rest"
+
+
+def driven(answer: Mobility) -> tuple[str, ...]:
+    """Which motions the actuators make alone, with passive joints, or not at all."""
+    if answer.actuation is None or not answer.partition.blocks:
+        return ()
+    platform = platform_called(answer.platform_name)
+    parts = [
+        f"{block.dimension} where {block.meaning.replace('the platform', platform)}"
+        for block in answer.partition.blocks
+    ]
+    motions = "motion" if answer.partition.mobility == 1 else "motions"
+    actuated = listed(answer.actuation.actuated)
+    return (f"{motions} driven by {actuated}: {'; '.join(parts)}",)
 
 
 def redundant(number: int) -> str:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from screwkit.results.partition import Partition
+
 
 @dataclass(frozen=True)
 class Topology:
@@ -169,16 +171,6 @@ class Actuation:
     actuated: tuple[str, ...]
     remaining_mobility: int
     remaining_platform_freedom: int
-
-
-@dataclass(frozen=True)
-class Partition:
-    """Mobility, connectivity, redundancy and indeterminacy [BicchiMelchiorri]."""
-
-    mobility: int
-    connectivity: int
-    redundancy: int
-    indeterminacy: int
 
 
 @dataclass(frozen=True)

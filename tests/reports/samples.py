@@ -13,12 +13,12 @@ from screwkit.results.mobility import (
     FullCycle,
     Mobility,
     MotionCase,
-    Partition,
     Platform,
     SpecialValues,
     Topology,
     Working,
 )
+from screwkit.results.partition import Partition
 from screwkit.results.schemes import (
     Balanced,
     LocusFactor,
