@@ -15,7 +15,13 @@ import pytest
 from screwkit.case import bundled_cases, load
 from screwkit.claims import agreement, checked_claims, value_at
 from screwkit.mechanism.model import Claim
-from screwkit.questions import mobility, schemes, screws, singularities
+from screwkit.questions import (
+    manipulability,
+    mobility,
+    schemes,
+    screws,
+    singularities,
+)
 from screwkit.reports.records import part_to_json
 
 STATUSES = {"published", "derived", "regression"}
@@ -24,6 +30,7 @@ QUESTIONS: dict[str, Callable[..., Any]] = {
     "screws": screws,
     "singularities": singularities,
     "schemes": schemes,
+    "manipulability": manipulability,
 }
 
 

@@ -25,6 +25,7 @@ from screwkit.algebra.expression_building import add, call, multiply
 from screwkit.algebra.modular import ModularRing, ResampleError
 from screwkit.algebra.text import expression_text
 
+LARGEST = 12  # degrees beyond which two primes tell no number from chance
 CHANCE = 2**48  # a random residue passes for a number once in this many
 
 
@@ -231,7 +232,11 @@ class Reconstruction:
         """Parts of the basis: 1, pairs with 1, biquadratic, cyclotomic fields, all."""
         place = {unit: i for i, (unit, _) in enumerate(self._units)}
         chosen: list[tuple[int, ...]] = [(0,)]
-        chosen += [(0, i) for i in range(1, len(place))]
+        chosen += [
+            (0, i)
+            for unit, i in place.items()
+            if i and (len(place) <= LARGEST or not unit.turn)
+        ]
         roots = [unit.radicand for unit in place if not unit.turn and unit.radicand > 1]
         for a, b in combinations(roots, 2):
             third = a * b // gcd(a, b) ** 2
@@ -239,7 +244,7 @@ class Reconstruction:
                 chosen.append((0, *(place[Irrationality(r)] for r in (a, b, third))))
         chosen.append(tuple(i for unit, i in place.items() if unit.radicand == 1))
         chosen.append(tuple(range(len(place))))
-        return tuple(dict.fromkeys(chosen))
+        return tuple(x for x in dict.fromkeys(chosen) if len(x) <= LARGEST)
 
     @property
     def _modulus(self) -> int:

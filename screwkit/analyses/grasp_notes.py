@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from screwkit.algebra.expression import Expression
+from screwkit.algebra.modular import rank
 from screwkit.algebra.text import expression_text
 from screwkit.analyses.grasp_posture import GraspPosture
 from screwkit.mechanism.graph import limbs
@@ -109,7 +110,7 @@ def why_no_rule(at: GraspPosture, arms: Sequence[ArmJoints]) -> str:
     """Why arms do not combine in parallel and in series; empty where they do."""
     matrices = at.matrices
     slipping = [h.joint for h in matrices.holds.contacts if h.selective]
-    if slipping:
+    if slipping and not _held_alike(at, arms):
         return (
             f"contact {slipping[0]} slips, so the arms do not hold the platform rigidly"
         )
@@ -119,9 +120,24 @@ def why_no_rule(at: GraspPosture, arms: Sequence[ArmJoints]) -> str:
     if passive:
         return f"joint {passive[0]} is passive"
     for arm in arms:
-        if arm.ranks is not None and arm.ranks.a < matrices.twist_size:
+        if arm.ranks is not None and arm.ranks.a < arm.ranks.rows:
             return f"the Jacobian of {arm.name} has not full row rank"
     held = {hold.joint for hold in matrices.holds.contacts}
     if held - {name for arm in arms for name in arm.contacts}:
         return "a contact belongs to no arm"
     return ""
+
+
+def _held_alike(at: GraspPosture, arms: Sequence[ArmJoints]) -> bool:
+    """Whether every arm transmits the same wrenches, independent of each other.
+
+    As two hard fingers do that touch the object in one point: then velocities and
+    forces of that point count, and the rules hold for them.
+    """
+    if at.pair is None:
+        return False
+    grasp = at.pair.grasps[0]
+    spans = [grasp.only(arm.contacts, arm.freedoms) for arm in arms]
+    together = [row for part in spans for row in part.gt]
+    common = rank(together, grasp.prime)
+    return all(part.ranks.o == len(part.gt) == common for part in spans)

@@ -10,7 +10,7 @@ References: [BicchiMelchiorri], [BicchiPrattichizzo], [ChiacchioEtAl1990], as co
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, replace
+from dataclasses import asdict
 
 from screwkit.algebra.expression import Expression
 from screwkit.analyses.block_words import meaning
@@ -25,15 +25,17 @@ from screwkit.analyses.grasp_notes import (
 from screwkit.analyses.grasp_posture import GraspPosture, grasp_posture
 from screwkit.analyses.partition import gamma_of, motion_blocks
 from screwkit.grasping.exact_grasp import Ranks
+from screwkit.grasping.partition import blocks_of
+from screwkit.grasping.symbolic_indices import kinematic_polynomial
 from screwkit.kinematics.network import Network
 from screwkit.mechanism.graph import limbs
 from screwkit.mechanism.joints import freedom_labels
 from screwkit.metrics.answers import ArmJoints, PostureAnswers, posture_answers
 from screwkit.progress import Progress, silent
 from screwkit.results.manipulability import (
-    Cooperative,
     Manipulability,
     Statics,
+    SymbolicIndices,
 )
 from screwkit.results.partition import Gamma, MotionBlock, Partition
 from screwkit.results.undecided import Undecided
@@ -62,7 +64,11 @@ def manipulability(
     arms = _arms(at)
     refusal = arms_refused(at, arms)
     answers = posture_answers(
-        at.mechanism, at.matrices, at.ranks, () if refusal else arms
+        at.mechanism,
+        at.matrices,
+        at.ranks,
+        () if refusal else arms,
+        "" if refusal else why_no_rule(at, arms),
     )
     exact = None if at.pair is None else exact_indices(at.mechanism, at.pair)
     kinematic, force = answers.kinematic, answers.force
@@ -102,7 +108,8 @@ def manipulability(
         internal_force=internal,
         translation=answers.translation,
         rotation=answers.rotation,
-        cooperative=Undecided(refusal) if refusal else _with_rule(answers, at, arms),
+        cooperative=answers.cooperative or Undecided(refusal),
+        symbolic=_symbolic(at),
         platform_name=at.mechanism.platform,
         units=units_note(at, answers, length),
         differences=differences(at, answers),
@@ -131,6 +138,14 @@ def _partition(at: GraspPosture, answers: PostureAnswers) -> Partition:
         blocks or _unnamed(gamma),
         symbolic,
     )
+
+
+def _symbolic(at: GraspPosture) -> SymbolicIndices:
+    """Where the posture is one of a family."""
+    if at.generic is None:
+        return SymbolicIndices()
+    blocks = blocks_of(at.generic)
+    return SymbolicIndices(kinematic_polynomial(at.symbolic, at.generic, blocks))
 
 
 def _unnamed(gamma: Gamma) -> tuple[MotionBlock, ...]:
@@ -167,11 +182,3 @@ def _ranks_of(
     if at.pair is None:
         return None
     return at.pair.grasps[0].only(contacts, freedoms).ranks
-
-
-def _with_rule(
-    answers: PostureAnswers, at: GraspPosture, arms: Sequence[ArmJoints]
-) -> Cooperative:
-    """The arms' ellipsoids, and whether the composition rules hold."""
-    assert answers.cooperative is not None
-    return replace(answers.cooperative, rule=why_no_rule(at, arms))

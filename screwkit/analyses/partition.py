@@ -21,6 +21,7 @@ from screwkit.grasping.exact_grasp import ExactGrasp, exact_grasps, reconstructi
 from screwkit.grasping.partition import BLOCKS, Blocks, blocks_of
 from screwkit.grasping.symbolic_blocks import (
     Vector,
+    any_is_short,
     polynomial_matrices,
     symbolic_blocks,
 )
@@ -82,7 +83,8 @@ def motion_blocks(
     ring = None
     if generic is not None:
         blocks = blocks_of(generic)
-        if blocks.dimensions == at.blocks[0].dimensions:
+        alike = blocks.dimensions == at.blocks[0].dimensions
+        if alike and any_is_short(blocks):
             ring, matrices = polynomial_matrices(mechanism)
             vectors = dict(symbolic_blocks(ring, matrices, generic, blocks))
     found, symbolic = [], ring is not None

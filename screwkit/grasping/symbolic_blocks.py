@@ -45,6 +45,15 @@ def polynomial_matrices(
     return ring, grasp_matrices(mechanism, ring)
 
 
+def any_is_short(blocks: Blocks) -> bool:
+    """Whether some basis vector has few enough entries to be written in symbols."""
+    return any(
+        sum(map(bool, vector)) <= LARGEST
+        for own in blocks.basis.values()
+        for vector in own
+    )
+
+
 def symbolic_blocks(
     ring: TrigonometricRing,
     matrices: GraspMatrices[Polynomial],

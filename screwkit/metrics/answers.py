@@ -82,6 +82,7 @@ def posture_answers(
     matrices: GraspMatrices[Array],
     ranks: Ranks | None,
     arms: Sequence[ArmJoints] = (),
+    rule: str = "",
 ) -> PostureAnswers:
     """All indices, and the ellipsoids of several arms.
 
@@ -90,6 +91,7 @@ def posture_answers(
         matrices: At the posture.
         ranks: Where they are known exactly.
         arms: Two or more that hold the object; none asks for no ellipsoids of arms.
+        rule: Why they do not combine in parallel and in series; empty where they do.
     """
     grasp = of_matrices(matrices, ranks)
     weights = float_weights(mechanism, matrices, {})
@@ -115,7 +117,7 @@ def posture_answers(
         index_values(found.internal),
         _ball_image(shape[angular:, angular:]),
         _ball_image(shape[:angular, :angular]),
-        _cooperative(grasp, weights, found, matrices, arms) if arms else None,
+        _cooperative(grasp, weights, found, matrices, arms, rule) if arms else None,
         ranks,
         _alone(grasp, matrices) if counted else None,
         counted,
@@ -178,6 +180,7 @@ def _cooperative(
     whole: Indices,
     matrices: GraspMatrices[Array],
     arms: Sequence[ArmJoints],
+    rule: str,
 ) -> Cooperative:
     contacts = [
         [i for i, row in enumerate(matrices.rows) if row.hold.joint == hold.joint]
@@ -197,7 +200,7 @@ def _cooperative(
         )
         for arm in arms
     ]
-    shared = cooperation(grasp, weights, whole, contacts, parts)
+    shared = cooperation(grasp, weights, whole, contacts, parts, combined=not rule)
     return Cooperative(
         ellipsoid(shared.absolute),
         ellipsoid(shared.external),
@@ -217,6 +220,7 @@ def _cooperative(
                 zip(arms, shared.arms, strict=True)
             )
         ),
+        rule,
     )
 
 

@@ -70,6 +70,8 @@ def cooperation(
     whole: Indices,
     contacts: Sequence[Sequence[int]],
     arms: Sequence[ArmPart],
+    *,
+    combined: bool,
 ) -> Shared:
     """The ellipsoids of arms that hold one object.
 
@@ -79,6 +81,7 @@ def cooperation(
         whole: Its indices.
         contacts: Numbers of the rows of each contact.
         arms: The parts.
+        combined: Whether they combine in parallel; then each has a share.
     """
     metric = np.zeros((len(grasp.g.T), len(grasp.g.T)))
     for rows in contacts:
@@ -94,7 +97,7 @@ def cooperation(
         relative,
         internal,
         tuple((_axes(one.kinematic), _axes(one.force)) for one in singles),
-        _shares(whole.kinematic, singles),
+        _shares(whole.kinematic, singles) if combined else np.zeros((0, 0)),
     )
 
 
@@ -153,11 +156,10 @@ def _inside(
 
 def _shares(whole: Index, singles: Sequence[Indices]) -> Array:
     """dᵀ A_i d over dᵀ (Σ A) d, A the inverse of an arm's J~ J~ᵀ, along each axis d."""
-    if any(one.kinematic.infinite for one in singles) or whole.infinite:
+    if not len(whole.finite):
         return np.zeros((0, 0))
-    size = whole.shape.shape[0]
-    if any(len(one.kinematic.finite) < size for one in singles):
-        return np.zeros((0, 0))
-    parts = [np.linalg.inv(one.kinematic.shape) for one in singles]
-    along = np.array([[float(d @ part @ d) for d in whole.task] for part in parts])
+    basis = np.linalg.qr(whole.task.T)[0]
+    parts = [np.linalg.inv(basis.T @ one.kinematic.shape @ basis) for one in singles]
+    axes = whole.task @ basis
+    along = np.array([np.einsum("ij,jk,ik->i", axes, part, axes) for part in parts])
     return np.asarray(along / along.sum(axis=0))

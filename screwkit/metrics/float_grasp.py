@@ -62,10 +62,15 @@ def _filled(entries: Sequence[Sequence[Array]], rows: int, columns: int) -> Arra
 
 def float_weights(
     mechanism: Mechanism,
-    matrices: GraspMatrices[Array],
+    matrices: GraspMatrices[Array] | None,
     values: Mapping[str, Array | float],
 ) -> Weights:
     """The weights that a file declares, as matrices.
+
+    Args:
+        mechanism: With them.
+        matrices: The grasp, for the weight of contact forces; None leaves that out.
+        values: Of symbols in weights; they overrule those of the file.
 
     The weight of contact forces is declared for all six components (f; m) of every
     contact (three in the plane), and taken here for those that are transmitted.
@@ -79,8 +84,8 @@ def float_weights(
             [[float(evaluate(x, ring)) for x in row] for row in mechanism.weights[key]]
         )
 
-    forces = matrix("contact_forces")
-    if forces is not None:
+    forces = None if matrices is None else matrix("contact_forces")
+    if forces is not None and matrices is not None:
         selector = force_selector(matrices)
         forces = selector @ forces @ selector.T
     return Weights(

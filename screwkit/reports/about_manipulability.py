@@ -44,6 +44,7 @@ def manipulability_blocks(answer: Manipulability) -> tuple[Block, ...]:
         *statics_blocks(answer.statics, answer),
         Heading(words("KINEMATIC INDEX"), 1, words("u against actuated rates")),
         *index_blocks(answer.kinematic, answer, "rates"),
+        *_in_symbols(answer),
         *_reach(answer),
         Heading(words("FORCE INDEX"), 1, words("w against actuated torques")),
         *index_blocks(answer.force, answer, "torques"),
@@ -246,6 +247,14 @@ def _exactly(index: IndexValues) -> tuple[Text, ...]:
         roots = joined([math(text) for text in index.exact], ", ")
         spans = [(*spans[0], Words(", x = "), *roots)]
     return tuple(spans)
+
+
+def _in_symbols(answer: Manipulability) -> tuple[Block, ...]:
+    """The polynomial that holds for all values of the symbols."""
+    if not answer.symbolic.kinematic:
+        return ()
+    formula = Math(f"{answer.symbolic.kinematic} = 0")
+    return (Paragraph((Words("in the symbols of the file: "), formula), 1),)
 
 
 def _reach(answer: Manipulability) -> tuple[Block, ...]:

@@ -158,6 +158,17 @@ class PostureNote:
 
 
 @dataclass(frozen=True)
+class SymbolicIndices:
+    """Polynomials in x whose roots are the values, for all values of the symbols.
+
+    Attributes:
+        kinematic: Of (13); empty where it is not short, or the file has no symbols.
+    """
+
+    kinematic: str = ""
+
+
+@dataclass(frozen=True)
 class Manipulability:
     """The answer.
 
@@ -176,6 +187,7 @@ class Manipulability:
         translation: Semi-axes of the velocities of the reference point alone.
         rotation: Of the angular velocities alone.
         cooperative: For two or more arms.
+        symbolic: The same in the symbols of the file.
         units: What the numbers mix, and by which measure; empty where nothing is mixed.
         differences: What is special about the posture.
 
@@ -203,6 +215,7 @@ class Manipulability:
     translation: Ellipsoid
     rotation: Ellipsoid
     cooperative: Cooperative | Undecided
+    symbolic: SymbolicIndices = SymbolicIndices()
     platform_name: str = ""
     units: str = ""
     differences: tuple[str, ...] = ()

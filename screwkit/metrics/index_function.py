@@ -1,0 +1,222 @@
+"""Indices as functions of arrays: thousands of postures or designs at once.
+
+What is exact is decided once: the ranks, which joints to eliminate, how many values
+are finite.  Then numpy does the same steps for all postures together.  A posture at
+which a pivot nearly vanishes is taken out and looked at by singular values; there,
+values that are infinite or lost are reported as inf and 0.
+
+References: [BicchiPrattichizzo] eqs. (13), (24), §IV-D (duality).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from screwkit.algebra.batch import Array
+from screwkit.algebra.expression_building import symbols_of
+from screwkit.errors import UnknownNameError
+from screwkit.grasping.exact_grasp import exact_grasps
+from screwkit.grasping.matrices import grasp_matrices
+from screwkit.kinematics.loops import ring_at
+from screwkit.mechanism.model import Mechanism
+from screwkit.metrics.elimination_plan import Plan, mixing, plan_of
+from screwkit.metrics.float_grasp import float_weights, of_matrices
+from screwkit.metrics.float_ranks import float_ranks
+from screwkit.metrics.indices import FloatGrasp, Weights, indices
+from screwkit.metrics.reflections import (
+    back_substituted,
+    eliminated,
+    null_space,
+    row_space,
+    squared_singular_values,
+)
+
+Kind: TypeAlias = Literal["kinematic", "force"]
+
+SMALL = 1e-9
+"""Pivots below this part of the largest are looked at singly."""
+
+CHUNK = 8192
+"""Postures at a time."""
+
+
+@dataclass(frozen=True)
+class IndexFunction:
+    """The finite values of an index over symbols and joint variables.
+
+    Attributes:
+        mechanism: Symbols that are not varied have their numbers.
+        kind: ``kinematic`` (13) or ``force`` (24).
+        plan: What holds at a generic posture.
+    """
+
+    mechanism: Mechanism
+    kind: Kind
+    plan: Plan
+
+    @property
+    def count(self) -> int:
+        """Finite values at a generic posture."""
+        return self.plan.coordinated
+
+    def __call__(self, values: Mapping[str, Array | float]) -> Array:
+        """The values at postures.
+
+        Args:
+            values: Of symbols and joint variables by name, broadcasting over one batch;
+                others have those of the file, joint variables 0.
+
+        Returns:
+            Shape batch + (count,), descending; inf and 0 where a posture is singular.
+
+        Raises:
+            UnknownNameError: If a symbol has no value.
+        """
+        arrays = {name: np.asarray(v, dtype=float) for name, v in values.items()}
+        batch = np.broadcast_shapes(*(v.shape for v in arrays.values()))
+        flat = {
+            name: np.broadcast_to(v, batch).reshape(-1) for name, v in arrays.items()
+        }
+        size = int(np.prod(batch))
+        found = np.empty((size, self.count))
+        for start in range(0, size, CHUNK):
+            part = slice(start, start + CHUNK)
+            found[part] = self._chunk({name: v[part] for name, v in flat.items()})
+        return found.reshape(*batch, self.count)
+
+    def _chunk(self, values: Mapping[str, Array]) -> Array:
+        size = max((len(v) for v in values.values()), default=1)
+        grasp = self._grasp(values, size)
+        found, regular = _values(grasp, self._roots, self.plan)
+        if self.kind == "force":
+            with np.errstate(divide="ignore"):
+                found = 1.0 / found[:, ::-1]
+        for number in np.flatnonzero(~(regular > SMALL)):
+            found[number] = self._single(grasp, int(number))
+        return found
+
+    def _grasp(self, values: Mapping[str, Array], size: int) -> FloatGrasp:
+        known: dict[str, Array | float] = {}
+        if self.mechanism.geometry != "posture":
+            known = dict.fromkeys(self.mechanism.joint_variables, 0.0)
+        known.update(values)
+        ring = ring_at(self.mechanism, known)
+        grasp = of_matrices(grasp_matrices(self.mechanism, ring), None)
+        ja, jp, gt = (
+            np.broadcast_to(part, (size, *part.shape[-2:]))
+            for part in (grasp.ja, grasp.jp, grasp.gt)
+        )
+        return FloatGrasp(ja, jp, gt)
+
+    @cached_property
+    def _roots(self) -> tuple[Array | None, Array | None]:
+        """By what rates and twists are divided: roots of the weights, inverted."""
+        weights = self._weights
+        if self.kind == "kinematic":
+            return _inverse_root(weights.rates), _inverse_root(weights.twist)
+        # By duality the force index is the reciprocal with the inverse weights.
+        wrench, torques = weights.wrench, _inverse(weights.torques)
+        if wrench is not None:
+            order = [2, 0, 1] if len(wrench) == 3 else [3, 4, 5, 0, 1, 2]
+            wrench = wrench[np.ix_(order, order)]
+        return _inverse_root(torques), _inverse_root(_inverse(wrench))
+
+    @cached_property
+    def _weights(self) -> Weights:
+        return float_weights(self.mechanism, None, {})
+
+    def _single(self, grasp: FloatGrasp, number: int) -> Array:
+        """One posture by singular values, padded with inf and 0."""
+        own = FloatGrasp(grasp.ja[number], grasp.jp[number], grasp.gt[number])
+        if not all(np.isfinite(part).all() for part in (own.ja, own.jp, own.gt)):
+            return np.full(self.count, np.nan)
+        ranks, _, _ = float_ranks(own)
+        found = indices(replace(own, ranks=ranks), self._weights)
+        generic = self.plan.ranks
+        finite, more = found.kinematic.finite, ranks.indeterminacy
+        more -= generic.indeterminacy
+        if self.kind == "force":
+            finite, more = found.force.finite, ranks.structural - generic.structural
+        padded = [*[np.inf] * max(more, 0), *finite, *[0.0] * self.count]
+        return np.array(padded[: self.count])
+
+
+def index_function(mechanism: Mechanism, kind: Kind = "kinematic") -> IndexFunction:
+    """The finite values of an index as a function of what the mechanism leaves free.
+
+    Args:
+        mechanism: Its scheme decides what is actuated.
+        kind: Which index.
+
+    Raises:
+        UndecidedError: If there is no exact point.
+        UnknownNameError: If a weight contains a symbol without a number.
+    """
+    loose = {p.name for p in mechanism.parameters if p.value is None}
+    for key, rows in mechanism.weights.items():
+        for entry in (x for row in rows for x in row):
+            if symbols_of(entry) & loose:
+                raise UnknownNameError(f"the weight of {key} depends on free symbols")
+    (grasp,) = exact_grasps(mechanism, (1,))
+    return IndexFunction(mechanism, kind, plan_of(grasp))
+
+
+def _values(
+    grasp: FloatGrasp, roots: tuple[Array | None, Array | None], plan: Plan
+) -> tuple[Array, Array]:
+    """Squared semi-axes of T in u' = T q', and how regular every posture is."""
+    rates, twist = roots
+    ja = grasp.ja if rates is None else grasp.ja @ rates
+    gt = grasp.gt if twist is None else grasp.gt @ twist
+    size, _, actuated = ja.shape
+    left, regular = [], np.ones(size)
+    for group in plan.groups:
+        rows = list(group.rows)
+        own = np.concatenate(
+            [grasp.jp[:, rows][:, :, list(group.passive)], ja[:, rows], gt[:, rows]],
+            axis=2,
+        )
+        count = len(group.passive)
+        regular = np.minimum(regular, eliminated(own, count))
+        left.append(own[:, count:, count:])
+    whole = np.concatenate([np.zeros((size, 0, actuated + gt.shape[2])), *left], axis=1)
+    a, b = whole[:, :, :actuated], whole[:, :, actuated:]
+    moved, twists = plan.moved, b.shape[2]
+    if moved < min(b.shape[1], twists):
+        mix = mixing(b.shape[1])
+        a, b = mix @ a, mix @ b
+    if moved < twists:
+        along, how = row_space(b, moved)
+        regular = np.minimum(regular, how)
+        b = b @ along
+    both = np.concatenate([b, a], axis=2)
+    regular = np.minimum(regular, eliminated(both, moved))
+    top, bottom = both[:, :moved, moved:], both[:, moved:, moved:]
+    tied = plan.both - moved
+    if tied:
+        allowed, how = null_space(mixing(bottom.shape[1]) @ bottom, tied)
+        regular = np.minimum(regular, how)
+        top = top @ allowed
+    image = back_substituted(both[:, :moved, :moved], top)
+    with np.errstate(invalid="ignore"):
+        finite = np.asarray(np.isfinite(image).all(axis=(1, 2)))
+    image = np.where(finite[:, None, None], image, 0.0)
+    return squared_singular_values(image, plan.coordinated), np.where(
+        finite, regular, 0.0
+    )
+
+
+def _inverse(weight: Array | None) -> Array | None:
+    return None if weight is None else np.asarray(np.linalg.inv(weight))
+
+
+def _inverse_root(weight: Array | None) -> Array | None:
+    """C⁻¹ for CᵀC = W."""
+    if weight is None:
+        return None
+    return np.asarray(np.linalg.inv(np.linalg.cholesky(weight).T))
