@@ -21,18 +21,18 @@ from screwkit.algebra.batch import Array
 from screwkit.algebra.expression_building import symbols_of
 from screwkit.errors import UnknownNameError
 from screwkit.grasping.exact_grasp import exact_grasps
-from screwkit.grasping.matrices import grasp_matrices
+from screwkit.grasping.matrices import GraspMatrices, grasp_matrices
 from screwkit.kinematics.loops import ring_at
 from screwkit.mechanism.model import Mechanism
-from screwkit.metrics.elimination_plan import Plan, mixing, plan_of
+from screwkit.metrics.elimination_plan import Group, Plan, mixing, plan_of
 from screwkit.metrics.float_grasp import float_weights, of_matrices
 from screwkit.metrics.float_ranks import float_ranks
 from screwkit.metrics.indices import FloatGrasp, Weights, indices
 from screwkit.metrics.reflections import (
     back_substituted,
     eliminated,
-    null_space,
-    row_space,
+    product,
+    row_and_null_space,
     squared_singular_values,
 )
 
@@ -91,27 +91,24 @@ class IndexFunction:
 
     def _chunk(self, values: Mapping[str, Array]) -> Array:
         size = max((len(v) for v in values.values()), default=1)
-        grasp = self._grasp(values, size)
-        found, regular = _values(grasp, self._roots, self.plan)
+        matrices = self._matrices(values)
+        found, regular = _values(matrices, size, self._roots, self.plan)
         if self.kind == "force":
             with np.errstate(divide="ignore"):
                 found = 1.0 / found[:, ::-1]
-        for number in np.flatnonzero(~(regular > SMALL)):
-            found[number] = self._single(grasp, int(number))
+        singular = np.flatnonzero(~(regular > SMALL))
+        if len(singular):
+            whole = of_matrices(matrices, None)
+            for number in singular:
+                found[number] = self._single(whole, int(number))
         return found
 
-    def _grasp(self, values: Mapping[str, Array], size: int) -> FloatGrasp:
+    def _matrices(self, values: Mapping[str, Array]) -> GraspMatrices[Array]:
         known: dict[str, Array | float] = {}
         if self.mechanism.geometry != "posture":
             known = dict.fromkeys(self.mechanism.joint_variables, 0.0)
         known.update(values)
-        ring = ring_at(self.mechanism, known)
-        grasp = of_matrices(grasp_matrices(self.mechanism, ring), None)
-        ja, jp, gt = (
-            np.broadcast_to(part, (size, *part.shape[-2:]))
-            for part in (grasp.ja, grasp.jp, grasp.gt)
-        )
-        return FloatGrasp(ja, jp, gt)
+        return grasp_matrices(self.mechanism, ring_at(self.mechanism, known))
 
     @cached_property
     def _roots(self) -> tuple[Array | None, Array | None]:
@@ -132,7 +129,11 @@ class IndexFunction:
 
     def _single(self, grasp: FloatGrasp, number: int) -> Array:
         """One posture by singular values, padded with inf and 0."""
-        own = FloatGrasp(grasp.ja[number], grasp.jp[number], grasp.gt[number])
+        ja, jp, gt = (
+            part[number] if part.ndim > 2 else part
+            for part in (grasp.ja, grasp.jp, grasp.gt)
+        )
+        own = FloatGrasp(ja, jp, gt)
         if not all(np.isfinite(part).all() for part in (own.ja, own.jp, own.gt)):
             return np.full(self.count, np.nan)
         ranks, _, _ = float_ranks(own)
@@ -167,48 +168,75 @@ def index_function(mechanism: Mechanism, kind: Kind = "kinematic") -> IndexFunct
 
 
 def _values(
-    grasp: FloatGrasp, roots: tuple[Array | None, Array | None], plan: Plan
+    matrices: GraspMatrices[Array],
+    size: int,
+    roots: tuple[Array | None, Array | None],
+    plan: Plan,
 ) -> tuple[Array, Array]:
     """Squared semi-axes of T in u' = T q', and how regular every posture is."""
-    rates, twist = roots
-    ja = grasp.ja if rates is None else grasp.ja @ rates
-    gt = grasp.gt if twist is None else grasp.gt @ twist
-    size, _, actuated = ja.shape
-    left, regular = [], np.ones(size)
+    actuated, regular = len(matrices.actuated), np.ones(size)
+    left = []
     for group in plan.groups:
-        rows = list(group.rows)
-        own = np.concatenate(
-            [grasp.jp[:, rows][:, :, list(group.passive)], ja[:, rows], gt[:, rows]],
-            axis=2,
-        )
         count = len(group.passive)
-        regular = np.minimum(regular, eliminated(own, count))
-        left.append(own[:, count:, count:])
-    whole = np.concatenate([np.zeros((size, 0, actuated + gt.shape[2])), *left], axis=1)
-    a, b = whole[:, :, :actuated], whole[:, :, actuated:]
-    moved, twists = plan.moved, b.shape[2]
-    if moved < min(b.shape[1], twists):
-        mix = mixing(b.shape[1])
-        a, b = mix @ a, mix @ b
-    if moved < twists:
-        along, how = row_space(b, moved)
-        regular = np.minimum(regular, how)
-        b = b @ along
-    both = np.concatenate([b, a], axis=2)
-    regular = np.minimum(regular, eliminated(both, moved))
-    top, bottom = both[:, :moved, moved:], both[:, moved:, moved:]
+        own = _rows(matrices, group, size)
+        np.minimum(regular, eliminated(own, count), out=regular)
+        left.append(own[count:, count:])
+    width = actuated + matrices.twist_size
+    whole = np.concatenate([np.zeros((0, width, size)), *left])
+    a, b = (
+        _weighted(whole[:, :actuated], roots[0]),
+        _weighted(whole[:, actuated:], roots[1]),
+    )
+    moved = plan.moved
+    if moved < min(b.shape[:2]):
+        mix = mixing(len(b))
+        a, b = np.tensordot(mix, a, 1), np.tensordot(mix, b, 1)
+    if moved < b.shape[1]:
+        along, _, how = row_and_null_space(b, moved)
+        np.minimum(regular, how, out=regular)
+        b = product(b, along)
+    both = np.concatenate([b, a], axis=1)
+    np.minimum(regular, eliminated(both, moved), out=regular)
+    top, bottom = both[:moved, moved:], both[moved:, moved:]
     tied = plan.both - moved
     if tied:
-        allowed, how = null_space(mixing(bottom.shape[1]) @ bottom, tied)
-        regular = np.minimum(regular, how)
-        top = top @ allowed
-    image = back_substituted(both[:, :moved, :moved], top)
-    with np.errstate(invalid="ignore"):
-        finite = np.asarray(np.isfinite(image).all(axis=(1, 2)))
-    image = np.where(finite[:, None, None], image, 0.0)
-    return squared_singular_values(image, plan.coordinated), np.where(
-        finite, regular, 0.0
-    )
+        mixed = np.tensordot(mixing(len(bottom)), bottom, 1)
+        _, allowed, how = row_and_null_space(mixed, tied)
+        np.minimum(regular, how, out=regular)
+        top = product(top, allowed)
+    image = back_substituted(both[:moved, :moved], top)
+    bad = ~np.isfinite(image).all(axis=(0, 1))
+    image[:, :, bad], regular[bad] = 0.0, 0.0
+    return squared_singular_values(image, plan.coordinated), regular
+
+
+def _rows(matrices: GraspMatrices[Array], group: Group, size: int) -> Array:
+    """The rows of a group: passive columns, actuated ones per unit axis, the object's.
+
+    Rows keep the length of their directions, which scales an equation and no more.
+    """
+    split = len(matrices.actuated)
+    width = len(group.passive) + split + matrices.twist_size
+    whole = np.zeros((len(group.rows), width, size))
+    lengths = {k: _length(matrices.strokes[k]) for k in group.actuated}
+    for own, row in zip(whole, group.rows, strict=True):
+        for place, column in enumerate(group.passive):
+            own[place] = matrices.j[row][split + column]
+        for column in group.actuated:
+            own[len(group.passive) + column] = matrices.j[row][column] / lengths[column]
+        for place, entry in enumerate(matrices.gt[row], len(group.passive) + split):
+            own[place] = entry
+    return whole
+
+
+def _length(square: Array) -> Array:
+    return np.sqrt(np.asarray(square))
+
+
+def _weighted(columns: Array, root: Array | None) -> Array:
+    if root is None:
+        return columns
+    return np.asarray(np.einsum("ijb,jk->ikb", columns, root))
 
 
 def _inverse(weight: Array | None) -> Array | None:
