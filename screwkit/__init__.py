@@ -12,12 +12,14 @@ if TYPE_CHECKING:
     from screwkit.questions import analyze as analyze
     from screwkit.questions import assemble as assemble
     from screwkit.questions import follow as follow
+    from screwkit.questions import manipulability as manipulability
     from screwkit.questions import mobility as mobility
     from screwkit.questions import move as move
     from screwkit.questions import relative_motion as relative_motion
     from screwkit.questions import schemes as schemes
     from screwkit.questions import screws as screws
     from screwkit.questions import singularities as singularities
+    from screwkit.questions import sweep as sweep
 
 __version__ = "0.1.0"
 
@@ -28,12 +30,14 @@ _HOMES = {
     "analyze": "screwkit.questions",
     "assemble": "screwkit.questions",
     "follow": "screwkit.questions",
+    "manipulability": "screwkit.questions",
     "move": "screwkit.questions",
     "mobility": "screwkit.questions",
     "relative_motion": "screwkit.questions",
     "schemes": "screwkit.questions",
     "screws": "screwkit.questions",
     "singularities": "screwkit.questions",
+    "sweep": "screwkit.questions",
 }
 __all__ = [
     "Case",
@@ -43,12 +47,14 @@ __all__ = [
     "bundled_cases",
     "follow",
     "load",
+    "manipulability",
     "mobility",
     "move",
     "relative_motion",
     "schemes",
     "screws",
     "singularities",
+    "sweep",
 ]
 
 

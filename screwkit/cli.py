@@ -18,6 +18,7 @@ from screwkit.options import (
     Actuated,
     AsJson,
     At,
+    Best,
     Body,
     CaseName,
     Every,
@@ -253,6 +254,65 @@ def manipulability(
     Example: screwkit manipulability five_bar --actuated A,E
     """
     _answer(request_of("manipulability", locals(), length=length))
+
+
+@app.command()
+def sweep(
+    case: CaseName,
+    *,
+    vary: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME=A:B:COUNT", help="A range of a symbol; repeatable."),
+    ] = None,
+    index: Annotated[
+        str,
+        typer.Option(
+            help="kinematic or force with .min .max .condition .product .misfit; "
+            "locus; sigma_min."
+        ),
+    ] = "kinematic.min",
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="Write .csv or .npz.")
+    ] = None,
+    samples: Annotated[
+        int | None, typer.Option(min=1, help="So many points of the box, no grid.")
+    ] = None,
+    best: Annotated[
+        Best | None, typer.Option(help="Refine the least or the greatest value.")
+    ] = None,
+    workers: Annotated[
+        int | None, typer.Option(min=1, help="Processes on this machine.")
+    ] = None,
+    scheduler: Annotated[
+        str | None, typer.Option(metavar="ADDRESS", help="Of a Dask cluster.")
+    ] = None,
+    variant: Variant = None,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """An index over a grid or samples of symbols and joint variables.
+
+    Example: screwkit sweep stewart_alpha_beta --vary alpha=-pi:pi:61
+    --vary beta=-pi:pi:61 --index kinematic.misfit --best least
+    """
+    _answer(
+        request_of(
+            "sweep",
+            locals(),
+            vary=list(vary or ()),
+            index=index,
+            output=None if output is None else str(output),
+            samples=samples,
+            best=None if best is None else best.value,
+            workers=workers,
+            scheduler=scheduler,
+        )
+    )
 
 
 @app.command()

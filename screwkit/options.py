@@ -15,6 +15,13 @@ class Order(StrEnum):
     LINEAR = "linear"
 
 
+class Best(StrEnum):
+    """Which value of a sweep is refined."""
+
+    LEAST = "least"
+    GREATEST = "greatest"
+
+
 class Format(StrEnum):
     """What a report is written as."""
 

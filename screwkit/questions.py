@@ -6,9 +6,11 @@ Thin on purpose: each passes the case's assembly to the analysis that answers.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import replace
 from functools import partial
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
 
 from screwkit.case import Case
 from screwkit.errors import UndecidedError
@@ -20,7 +22,11 @@ from screwkit.results.motion import MotionPath
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import RelativeMotion, Screws
 from screwkit.results.singularities import Singularities
+from screwkit.results.sweep import Sweep
 from screwkit.results.undecided import Undecided
+
+if TYPE_CHECKING:
+    from screwkit.sweeps.answer import Map
 
 
 def mobility(case: Case, progress: Progress = silent) -> Mobility:
@@ -179,6 +185,80 @@ def manipulability(
         )
     measure = parse(str(length), ()) if length else None
     return analysis.manipulability(case.network, case.wanted, measure, progress)
+
+
+def sweep(
+    case: Case,
+    vary: Sequence[str],
+    index: str = "kinematic.min",
+    samples: int = 0,
+    best: Literal["", "least", "greatest"] = "",
+    output: str | Path = "",
+    executor: Executor | None = None,
+    progress: Progress = silent,
+) -> Map:
+    """An index over ranges of symbols and joint variables.
+
+    Args:
+        case: The mechanism.
+        vary: Ranges, ``"alpha=-pi:pi:181"`` each.
+        index: ``kinematic`` or ``force`` with ``.min``, ``.max``, ``.condition``,
+            ``.product`` or ``.misfit``; ``locus`` or ``sigma_min``.
+        samples: Take so many evenly spread points of the box instead of the grid.
+        best: Refine the ``least`` or the ``greatest`` value.
+        output: Write all values to this file, .csv or .npz.
+        executor: Evaluates the chunks: any `concurrent.futures.Executor`, or one of
+            Dask, ``Client(…).get_executor()``.
+        progress: Told how far it is.
+
+    Returns:
+        The values as arrays, and the answer in numbers and words.
+
+    Raises:
+        UnknownNameError: If an index or a symbol is unknown.
+        ExpressionError: If a range is none.
+        UndecidedError: If the index has no finite values, or a symbol no value.
+    """
+    from screwkit.sweeps.answer import sweep_map  # noqa: PLC0415
+
+    place = Path(output) if output else None
+    return sweep_map(
+        case.mechanism, vary, index, samples, best, place, executor, progress
+    )
+
+
+def sweep_answer(
+    case: Case,
+    vary: Sequence[str],
+    index: str = "kinematic.min",
+    samples: int = 0,
+    best: Literal["", "least", "greatest"] = "",
+    output: str = "",
+    workers: int = 0,
+    scheduler: str = "",
+    progress: Progress = silent,
+) -> Sweep:
+    """`sweep` on worker processes, or on a Dask cluster; without the arrays.
+
+    Args:
+        case: The mechanism.
+        vary: As for `sweep`, with ``index``, ``samples``, ``best`` and ``output``.
+        index: What is evaluated.
+        samples: Points of the box instead of a grid.
+        best: Which value is refined.
+        output: A file for all values.
+        workers: Processes on this machine; 0 for this one.
+        scheduler: Address of a Dask scheduler; empty for none.
+        progress: Told how far it is.
+
+    Raises:
+        MissingToolError: If Dask is asked for and not installed.
+    """
+    from screwkit.sweeps.executors import executor_of  # noqa: PLC0415
+
+    with executor_of(workers, scheduler) as executor:
+        found = sweep(case, vary, index, samples, best, output, executor, progress)
+    return found.answer
 
 
 def analyze(

@@ -24,6 +24,7 @@ TARGETS: Final = {
     "singularities": "screwkit.questions:singularities",
     "schemes": "screwkit.questions:schemes",
     "manipulability": "screwkit.questions:manipulability",
+    "sweep": "screwkit.questions:sweep_answer",
     "analyze": "screwkit.questions:analyze",
 }
 

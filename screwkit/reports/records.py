@@ -26,6 +26,7 @@ from screwkit.results.singularities import (
     LimbSingularities,
     Singularities,
 )
+from screwkit.results.sweep import Sweep
 from screwkit.results.undecided import Undecided
 
 Result: TypeAlias = (
@@ -35,6 +36,7 @@ Result: TypeAlias = (
     | Singularities
     | Schemes
     | Manipulability
+    | Sweep
     | Analysis
     | Undecided
 )
@@ -46,6 +48,7 @@ QUESTIONS: Final[dict[str, type]] = {
     "singularities": Singularities,
     "schemes": Schemes,
     "manipulability": Manipulability,
+    "sweep": Sweep,
     "analyze": Analysis,
 }
 _NAMES: Final = {kind: name for name, kind in QUESTIONS.items()}

@@ -22,6 +22,7 @@ from screwkit.reports.about_singularities import (
     limb_part,
     singularities_blocks,
 )
+from screwkit.reports.about_sweep import sweep_blocks
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -48,6 +49,7 @@ from screwkit.results.singularities import (
     LimbSingularities,
     Singularities,
 )
+from screwkit.results.sweep import Sweep
 from screwkit.results.undecided import Undecided
 
 _FORMULA = re.compile(r"[*(]|\w [-+] \w")
@@ -130,6 +132,11 @@ def _(result: Schemes) -> tuple[Block, ...]:
 @blocks.register
 def _(result: Manipulability) -> tuple[Block, ...]:
     return manipulability_blocks(result)
+
+
+@blocks.register
+def _(result: Sweep) -> tuple[Block, ...]:
+    return sweep_blocks(result)
 
 
 @blocks.register

@@ -1,0 +1,1 @@
+"""An index over many postures or designs: grids, maps, the best design."""
