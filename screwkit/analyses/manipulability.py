@@ -31,6 +31,7 @@ from screwkit.kinematics.network import Network
 from screwkit.mechanism.graph import limbs
 from screwkit.mechanism.joints import freedom_labels
 from screwkit.metrics.answers import ArmJoints, PostureAnswers, posture_answers
+from screwkit.metrics.scenes import scene_of
 from screwkit.progress import Progress, silent
 from screwkit.results.manipulability import (
     Manipulability,
@@ -108,6 +109,8 @@ def manipulability(
         internal_force=internal,
         translation=answers.translation,
         rotation=answers.rotation,
+        forces=answers.forces,
+        scene=scene_of(at.mechanism, at.matrices),
         cooperative=answers.cooperative or Undecided(refusal),
         symbolic=_symbolic(at),
         platform_name=at.mechanism.platform,

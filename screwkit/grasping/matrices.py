@@ -70,6 +70,7 @@ class GraspMatrices(Generic[S]):
         twist_size: Coordinates of u.
         turning: Freedoms that turn what follows them.
         joint_of: The joint of each freedom.
+        twists: Of all freedoms, about the base origin.
         slipping: Passive freedoms of contacts that carry a body.
     """
 
@@ -86,6 +87,7 @@ class GraspMatrices(Generic[S]):
     turning: frozenset[str]
     slipping: tuple[str, ...]
     joint_of: Mapping[str, str]
+    twists: Mapping[str, JointTwist[S]]
 
     @property
     def freedoms(self) -> tuple[str, ...]:
@@ -170,6 +172,7 @@ def grasp_matrices(
             for label in freedom_labels(mechanism.joint(name), mechanism.space)
         ),
         {label: twists[label].joint for label in order},
+        twists,
     )
 
 

@@ -54,6 +54,7 @@ class PostureAnswers:
     Attributes:
         translation, rotation: Of the velocities of the reference point, and of the
             angular velocities, for unit rates.
+        forces: Of the forces on the platform, for unit torques.
         ranks: Those used: exact, or counted.
         alone: Motions of the object with all joints locked but contacts, where ranks
             were counted.
@@ -69,6 +70,7 @@ class PostureAnswers:
     internal: IndexValues
     translation: Ellipsoid
     rotation: Ellipsoid
+    forces: Ellipsoid
     cooperative: Cooperative | None
     ranks: Ranks
     alone: int | None
@@ -117,6 +119,7 @@ def posture_answers(
         index_values(found.internal),
         _ball_image(shape[angular:, angular:]),
         _ball_image(shape[:angular, :angular]),
+        _ball_image(found.force.shape[: size - angular, : size - angular]),
         _cooperative(grasp, weights, found, matrices, arms, rule) if arms else None,
         ranks,
         _alone(grasp, matrices) if counted else None,
@@ -164,14 +167,29 @@ def _ball_image(shape: Array) -> Ellipsoid:
     return ellipsoid(axes)
 
 
-def ellipsoid(axes: AxesOf) -> Ellipsoid:
-    """An ellipsoid as plain data; each direction with its largest entry positive."""
+def ellipsoid(axes: AxesOf, linear: slice = slice(0)) -> Ellipsoid:
+    """An ellipsoid as plain data; each direction with its largest entry positive.
+
+    Args:
+        axes: Its axes.
+        linear: Which coordinates of a direction are those of a velocity or a force.
+    """
     turned = []
     for row in axes.directions:
         largest = int(np.argmax(np.abs(row))) if len(row) else 0
         turned.append(-row if len(row) and row[largest] < 0 else row)
     lengths = tuple(float(x) for x in axes.lengths)
-    return Ellipsoid(lengths, _rows(np.array(turned)), axes.infinite)
+    vectors = (axes.lengths[:, None] * axes.directions)[:, linear]
+    part = _ball_image(vectors.T @ vectors) if vectors.size else Ellipsoid()
+    return Ellipsoid(
+        lengths,
+        _rows(np.array(turned)),
+        axes.infinite,
+        tuple(
+            tuple(length * x for x in direction)
+            for length, direction in zip(part.semi_axes, part.directions, strict=True)
+        ),
+    )
 
 
 def _cooperative(
@@ -201,17 +219,20 @@ def _cooperative(
         for arm in arms
     ]
     shared = cooperation(grasp, weights, whole, contacts, parts, combined=not rule)
+    angular = 1 if matrices.twist_size == 3 else 3
+    moving, acting = slice(angular, None), slice(0, matrices.twist_size - angular)
+    pair = len(contacts) == 2  # then relative quantities are those of one twist
     return Cooperative(
-        ellipsoid(shared.absolute),
-        ellipsoid(shared.external),
-        ellipsoid(shared.relative),
-        ellipsoid(shared.internal),
+        ellipsoid(shared.absolute, moving),
+        ellipsoid(shared.external, acting),
+        ellipsoid(shared.relative, moving if pair else slice(0)),
+        ellipsoid(shared.internal, acting if pair else slice(0)),
         tuple(
             ArmEllipsoids(
                 arm.name,
                 arm.freedoms,
-                ellipsoid(velocity),
-                ellipsoid(force),
+                ellipsoid(velocity, moving),
+                ellipsoid(force, acting),
                 tuple(float(x) for x in shared.shares[number])
                 if shared.shares.size
                 else (),

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from screwkit.results.partition import Partition
+from screwkit.results.scene import Scene
 from screwkit.results.undecided import Undecided
 
 
@@ -76,11 +77,14 @@ class Ellipsoid:
         semi_axes: In descending order.
         directions: Of unit length, as many.
         infinite: How many semi-axes are infinite; they are not among the others.
+        linear: Semi-axes of its part in velocities of the reference point, or in
+            forces, as vectors in base axes.
     """
 
     semi_axes: tuple[float, ...] = ()
     directions: tuple[tuple[float, ...], ...] = ()
     infinite: int = 0
+    linear: tuple[tuple[float, ...], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -186,7 +190,9 @@ class Manipulability:
         internal_force: (22), (23).
         translation: Semi-axes of the velocities of the reference point alone.
         rotation: Of the angular velocities alone.
+        forces: Semi-axes of the forces on the platform alone, for unit torques.
         cooperative: For two or more arms.
+        scene: The mechanism as it stands, for pictures; None where it is too large.
         symbolic: The same in the symbols of the file.
         units: What the numbers mix, and by which measure; empty where nothing is mixed.
         differences: What is special about the posture.
@@ -214,7 +220,9 @@ class Manipulability:
     internal_force: IndexValues
     translation: Ellipsoid
     rotation: Ellipsoid
+    forces: Ellipsoid
     cooperative: Cooperative | Undecided
+    scene: Scene | None = None
     symbolic: SymbolicIndices = SymbolicIndices()
     platform_name: str = ""
     units: str = ""
