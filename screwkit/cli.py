@@ -240,6 +240,10 @@ def manipulability(
             metavar="L", help="A length that counts as one radian, without weights."
         ),
     ] = None,
+    draw: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="A picture too: .pdf, .svg or .png."),
+    ] = None,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -253,7 +257,14 @@ def manipulability(
 
     Example: screwkit manipulability five_bar --actuated A,E
     """
-    _answer(request_of("manipulability", locals(), length=length))
+    request = request_of("manipulability", locals(), length=length)
+    if draw is not None:
+        from dataclasses import replace  # noqa: PLC0415
+
+        from screwkit.delivery import deliver_picture  # noqa: PLC0415
+
+        request = replace(request, beside=deliver_picture(draw))
+    _answer(request)
 
 
 @app.command()
@@ -272,7 +283,8 @@ def sweep(
         ),
     ] = "kinematic.min",
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="Write .csv or .npz.")
+        Path | None,
+        typer.Option("-o", "--output", help="Write .csv, .npz or a .pdf map."),
     ] = None,
     samples: Annotated[
         int | None, typer.Option(min=1, help="So many points of the box, no grid.")

@@ -16,6 +16,7 @@ from typing import Any
 
 from screwkit.errors import ScrewkitError
 from screwkit.results.analysis import Analysis
+from screwkit.results.manipulability import Manipulability
 from screwkit.results.schemes import Schemes
 from screwkit.results.singularities import Singularities
 
@@ -80,6 +81,31 @@ def _csv(answer: Schemes) -> str:
             ]
         )
     return file.getvalue()
+
+
+def deliver_picture(path: Path) -> Delivery:
+    """Draw the mechanism with its ellipses: .pdf, .svg or .png by the ending.
+
+    Raises:
+        ScrewkitError: If the ending is none of these.
+    """
+    from screwkit.reports.figures import FORMS  # noqa: PLC0415
+
+    if path.suffix not in FORMS:
+        raise ScrewkitError(f"{path}: a picture is written as {', '.join(FORMS)}")
+
+    def deliver(answer: Manipulability) -> list[str]:
+        from screwkit.reports.draw_print import picture  # noqa: PLC0415
+        from screwkit.reports.output import write  # noqa: PLC0415
+        from screwkit.reports.panels import panels_of  # noqa: PLC0415
+
+        panels = panels_of(answer)
+        if not panels:
+            return ["no picture: the mechanism has too many joints"]
+        write(path, picture(panels, FORMS[path.suffix]))
+        return [f"wrote {path}"]
+
+    return deliver
 
 
 def deliver_report(form: str, output: Path | None) -> Delivery:

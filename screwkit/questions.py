@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from screwkit.case import Case
-from screwkit.errors import UndecidedError
+from screwkit.errors import MechanismFileError, ScrewkitError, UndecidedError
 from screwkit.progress import Progress, silent
 from screwkit.results.analysis import Analysis
 from screwkit.results.manipulability import Manipulability
@@ -206,7 +206,8 @@ def sweep(
             ``.product`` or ``.misfit``; ``locus`` or ``sigma_min``.
         samples: Take so many evenly spread points of the box instead of the grid.
         best: Refine the ``least`` or the ``greatest`` value.
-        output: Write all values to this file, .csv or .npz.
+        output: Write all values to this file, .csv or .npz, or draw a map of one or
+            two symbols, .pdf, .svg or .png.
         executor: Evaluates the chunks: any `concurrent.futures.Executor`, or one of
             Dask, ``Client(…).get_executor()``.
         progress: Told how far it is.
@@ -219,12 +220,33 @@ def sweep(
         ExpressionError: If a range is none.
         UndecidedError: If the index has no finite values, or a symbol no value.
     """
+    from screwkit.reports.figures import FORMS  # noqa: PLC0415
     from screwkit.sweeps.answer import sweep_map  # noqa: PLC0415
 
     place = Path(output) if output else None
-    return sweep_map(
-        case.mechanism, vary, index, samples, best, place, executor, progress
+    drawn = place is not None and place.suffix in FORMS
+    kept = None if drawn else place
+    found = sweep_map(
+        case.mechanism, vary, index, samples, best, kept, executor, progress
     )
+    if place is None or not drawn:
+        return found
+    from screwkit.reports.draw_map import map_picture  # noqa: PLC0415
+    from screwkit.reports.output import write  # noqa: PLC0415
+
+    answer = found.answer
+    if samples:
+        raise ScrewkitError("samples are no grid; write .npz or .csv")
+    content = map_picture(
+        answer.vary,
+        [found.axes[name].tolist() for name in answer.vary],
+        found.values.tolist(),
+        index,
+        FORMS[place.suffix],
+        () if answer.best is None else answer.best.values,
+    )
+    write(place, content)
+    return replace(found, answer=replace(answer, file=str(place)))
 
 
 def sweep_answer(
@@ -285,12 +307,15 @@ def analyze(
         "screws": screws,
         "singularities": singularities,
         "schemes": schemes,
+        "manipulability": manipulability,
     }
     for name, question in asked.items():
         try:
             answers[name] = question(case, progress=progress)
         except UndecidedError as error:
             answers[name] = Undecided(str(error))
+        except MechanismFileError as error:
+            answers[name] = Undecided("; ".join(f.message for f in error.faults))
         finished(name, answers[name])
     documents = {
         name: part_to_json(answer)["value"] for name, answer in answers.items()

@@ -42,6 +42,7 @@ class Request:
     change: Callable[[Any], Any] | None = None
     show: Callable[[Any], str] | None = None
     deliver: Callable[[Any], list[str]] | None = None
+    beside: Callable[[Any], list[str]] | None = None
 
 
 def ask(request: Request) -> int:
@@ -87,6 +88,10 @@ def _answered(request: Request, result: Any) -> int:
             note(*lines)
         return errors.EXIT_DONE
     _show(request, shown)
+    if request.beside is not None:
+        lines = request.beside(shown)
+        if not request.quiet:
+            note(*lines)
     return errors.EXIT_DONE if is_plain_yes(result) else errors.EXIT_NEGATIVE
 
 

@@ -44,11 +44,11 @@ def manipulability_blocks(answer: Manipulability) -> tuple[Block, ...]:
         *statics_blocks(answer.statics, answer),
         Heading(words("KINEMATIC INDEX"), 1, words("u against actuated rates")),
         *index_blocks(answer.kinematic, answer, "rates"),
-        *_in_symbols(answer),
-        *_reach(answer),
+        *in_symbols(answer),
+        *reach(answer),
         Heading(words("FORCE INDEX"), 1, words("w against actuated torques")),
         *index_blocks(answer.force, answer, "torques"),
-        *_worst_cases(answer),
+        *worst_cases(answer),
     ]
     if answer.statics.internal or answer.statics.indeterminacy:
         blocks += [
@@ -249,7 +249,7 @@ def _exactly(index: IndexValues) -> tuple[Text, ...]:
     return tuple(spans)
 
 
-def _in_symbols(answer: Manipulability) -> tuple[Block, ...]:
+def in_symbols(answer: Manipulability) -> tuple[Block, ...]:
     """The polynomial that holds for all values of the symbols."""
     if not answer.symbolic.kinematic:
         return ()
@@ -257,7 +257,7 @@ def _in_symbols(answer: Manipulability) -> tuple[Block, ...]:
     return (Paragraph((Words("in the symbols of the file: "), formula), 1),)
 
 
-def _reach(answer: Manipulability) -> tuple[Block, ...]:
+def reach(answer: Manipulability) -> tuple[Block, ...]:
     """Both readings, and velocities and rotations apart."""
     if not answer.kinematic.finite:
         return ()
@@ -279,7 +279,7 @@ def _lengths(ellipsoid: Ellipsoid) -> str:
     return ", ".join(decimal(x, 4) for x in ellipsoid.semi_axes)
 
 
-def _worst_cases(answer: Manipulability) -> tuple[Block, ...]:
+def worst_cases(answer: Manipulability) -> tuple[Block, ...]:
     """The active and the passive index beside the force index."""
     said = []
     if answer.active_force.zero:

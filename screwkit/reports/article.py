@@ -28,6 +28,7 @@ from screwkit.reports.about_mobility import (
 )
 from screwkit.reports.about_schemes import remarks, summary
 from screwkit.reports.about_screws import convention
+from screwkit.reports.article_manipulability import manipulability_section
 from screwkit.reports.article_mechanism import mechanism_section
 from screwkit.reports.article_schemes import (
     counts_table,
@@ -69,6 +70,7 @@ from screwkit.reports.sections import (
     plain_value,
 )
 from screwkit.results.analysis import Analysis, ClaimCheck
+from screwkit.results.manipulability import Manipulability
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import Screws
@@ -99,6 +101,7 @@ def article(analysis: Analysis) -> Article:
         *_screws(analysis.screws),
         *_singularities(analysis.singularities),
         *_schemes_section(analysis.schemes),
+        *_manipulability(analysis.manipulability),
         *_claims_section(analysis.claims),
         *_conventions_section(analysis),
     ]
@@ -150,6 +153,7 @@ def _summary(analysis: Analysis) -> tuple[Block, ...]:
             ("screw systems", analysis.screws),
             ("singularities", analysis.singularities),
             ("actuation schemes", analysis.schemes),
+            ("manipulability", analysis.manipulability),
         )
         if isinstance(answer, Undecided)
     ]
@@ -306,6 +310,12 @@ def _schemes_section(answer: Schemes | Undecided) -> tuple[Block, ...]:
         blocks.append(factors_table(answer))
     blocks += [Paragraph((*_capitalised(text), Words("."))) for text in remarks(answer)]
     return tuple(blocks)
+
+
+def _manipulability(answer: Manipulability | Undecided) -> tuple[Block, ...]:
+    if isinstance(answer, Undecided):
+        return _undecided("Manipulability", answer)
+    return manipulability_section(answer)
 
 
 def _claims_section(claims: tuple[ClaimCheck, ...]) -> tuple[Block, ...]:

@@ -10,6 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
+from screwkit.reports.panels import Panel
+
 
 @dataclass(frozen=True, slots=True)
 class Words:
@@ -194,8 +196,26 @@ class Bibliography:
     entries: tuple[Entry, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """A picture of one or several panels.
+
+    Attributes:
+        label: Ends in the name of its file.
+    """
+
+    panels: tuple[Panel, ...]
+    caption: Text
+    label: str
+
+    @property
+    def name(self) -> str:
+        """Of its file, without ending."""
+        return self.label.rpartition(":")[2] or "figure"
+
+
 Block: TypeAlias = (
-    Heading | Paragraph | Formula | Matrix | Table | Listing | Bibliography
+    Heading | Paragraph | Formula | Matrix | Table | Listing | Figure | Bibliography
 )
 
 

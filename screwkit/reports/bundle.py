@@ -7,6 +7,7 @@ from pathlib import Path
 
 from screwkit.reports import latex, typeset
 from screwkit.reports.article import Article, article
+from screwkit.reports.blocks import Figure
 from screwkit.reports.output import write
 from screwkit.reports.records import to_json
 from screwkit.results.analysis import Analysis
@@ -29,13 +30,19 @@ def write_latex(analysis: Analysis, output: Path) -> list[str]:
     path = output if output.suffix == ".tex" else output / "report.tex"
     written = article(analysis)
     write(path, latex_source(written))
+    pictures = _pictures(written)
+    for file, content in pictures.items():
+        write(path.parent / file, content)
     for table in written.tables:
         name = table.label.rpartition(":")[2] or "table"
         write(path.parent / "fragments" / f"{name}.tex", latex.fragment(table))
     results = path.parent / "results.json"
     write(results, json.dumps(to_json(analysis), indent=1) + "\n")
     number = len(written.tables)
-    return [f"wrote {path}, {number} tables in {path.parent / 'fragments'}, {results}"]
+    said = [f"wrote {path}, {number} tables in {path.parent / 'fragments'}, {results}"]
+    if pictures:
+        said.append(f"{len(pictures)} pictures in {path.parent / 'figs'}")
+    return said
 
 
 def write_pdf(analysis: Analysis, output: Path) -> list[str]:
@@ -45,17 +52,30 @@ def write_pdf(analysis: Analysis, output: Path) -> list[str]:
         TypesettingError: If TeX fails; the source is there to be looked at.
     """
     path = output if output.suffix == ".pdf" else output / "report.pdf"
-    source = latex_source(article(analysis))
+    made = article(analysis)
+    source, pictures = latex_source(made), _pictures(made)
     tex = path.with_suffix(".tex")
     write(tex, source)
+    for file, content in pictures.items():
+        write(path.parent / file, content)
     if not typeset.is_available():
         return [
             f"wrote {tex}",
             f"no PDF: pdflatex is not installed; {typeset.INSTALL}",
         ]
-    pdf, _ = typeset.typeset(source)
+    pdf, _ = typeset.typeset(source, files=pictures)
     write(path, pdf)
     return [f"wrote {path} and {tex}"]
+
+
+def _pictures(written: Article) -> dict[str, bytes]:
+    """The pictures of an article by the paths that it includes."""
+    figures = [block for block in written.blocks if isinstance(block, Figure)]
+    if not figures:
+        return {}
+    from screwkit.reports.draw_print import picture  # noqa: PLC0415 -- heavy
+
+    return {f"figs/{each.name}.pdf": picture(each.panels) for each in figures}
 
 
 def write_html(analysis: Analysis, output: Path) -> list[str]:

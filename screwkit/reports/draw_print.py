@@ -10,26 +10,29 @@ References: [BicchiPrattichizzo] Fig. 2 (filled and open joints).
 
 from __future__ import annotations
 
-import io
 import math
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any, Final, Literal, TypeAlias
+from typing import Any, Final
 
 from screwkit.reports.expressions import printable
+from screwkit.reports.figures import (
+    ARMS,
+    BLACK,
+    BLUE,
+    FONT,
+    GREY,
+    ORANGE,
+    PLATFORM,
+    Form,
+    new_figure,
+    polygon_in_space,
+    written,
+)
 from screwkit.reports.panels import EllipseShape, Panel
 from screwkit.results.scene import BodyShape, JointShape, Point
 
-Form: TypeAlias = Literal["pdf", "svg", "png"]
-
-BLACK: Final = "#000000"
-GREY: Final = "#666666"
-BLUE: Final = "#0072B2"
-ORANGE: Final = "#E69F00"
-ARMS: Final = ("#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442")
-PLATFORM: Final = "#BFD7EA"
 _STEPS: Final = 96
-_FONT: Final = 8
 _VIEW: Final = (22, -60)
 _MARKS: Final = {"turns": "o", "slides": "s", "ball": "o", "contact": "^", "rigid": "x"}
 
@@ -41,9 +44,8 @@ def picture(panels: Sequence[Panel], form: Form = "pdf") -> bytes:
         panels: One at least.
         form: What kind of file.
     """
-    figure = _figure()
     rows, columns = math.ceil(len(panels) / 2), min(len(panels), 2)
-    figure.set_size_inches(3.4 * columns, 3.2 * rows)
+    figure = new_figure(3.4 * columns, 3.2 * rows)
     for number, panel in enumerate(panels, 1):
         if panel.scene.planar:
             axes = figure.add_subplot(rows, columns, number)
@@ -53,33 +55,9 @@ def picture(panels: Sequence[Panel], form: Form = "pdf") -> bytes:
             _solid(axes, panel)
         letter = f"({chr(96 + number)}) " if len(panels) > 1 else ""
         axes.set_title(
-            f"{letter}{panel.title}\n{panel.scale}", fontsize=_FONT, parse_math=False
+            f"{letter}{panel.title}\n{panel.scale}", fontsize=FONT, parse_math=False
         )
-    return _written(figure, form)
-
-
-def _figure() -> Any:
-    import matplotlib  # noqa: PLC0415 -- heavy, and only needed here
-
-    matplotlib.use("Agg", force=False)
-    from matplotlib.figure import Figure  # noqa: PLC0415
-
-    return Figure(layout="constrained")
-
-
-def _written(figure: Any, form: Form) -> bytes:
-    import matplotlib  # noqa: PLC0415
-
-    content = io.BytesIO()
-    settings = {"svg.hashsalt": "screwkit", "svg.fonttype": "path", "pdf.fonttype": 42}
-    dates: dict[str, dict[str, None]] = {
-        "pdf": {"CreationDate": None, "ModDate": None},
-        "svg": {"Date": None},
-        "png": {},
-    }
-    with matplotlib.rc_context(settings):
-        figure.savefig(content, format=form, dpi=160, metadata=dates[form])
-    return content.getvalue()
+    return written(figure, form)
 
 
 # -- in the plane -------------------------------------------------------------------
@@ -88,10 +66,10 @@ def _written(figure: Any, form: Form) -> bytes:
 def _flat(axes: Any, panel: Panel) -> None:
     scene = panel.scene
     axes.set_aspect("equal")
-    axes.tick_params(labelsize=_FONT - 2)
+    axes.tick_params(labelsize=FONT - 2)
     unit = f" / {printable(scene.unit)}" if scene.unit else ""
-    axes.set_xlabel(f"x{unit}", fontsize=_FONT - 1, parse_math=False)
-    axes.set_ylabel(f"y{unit}", fontsize=_FONT - 1, parse_math=False)
+    axes.set_xlabel(f"x{unit}", fontsize=FONT - 1, parse_math=False)
+    axes.set_ylabel(f"y{unit}", fontsize=FONT - 1, parse_math=False)
     for body in scene.bodies:
         _flat_body(axes, body)
     for shape in panel.ellipses:
@@ -104,7 +82,7 @@ def _flat(axes: Any, panel: Panel) -> None:
             (x, y),
             xytext=(4, 4),
             textcoords="offset points",
-            fontsize=_FONT - 2,
+            fontsize=FONT - 2,
             color=GREY,
             parse_math=False,
             zorder=5,
@@ -172,7 +150,7 @@ def _solid(axes: Any, panel: Panel) -> None:
     scene = panel.scene
     axes.set_proj_type("ortho")
     axes.view_init(*_VIEW)
-    axes.tick_params(labelsize=_FONT - 3, pad=-2)
+    axes.tick_params(labelsize=FONT - 3, pad=-2)
     for side in (axes.xaxis, axes.yaxis, axes.zaxis):
         side.set_pane_color((1.0, 1.0, 1.0, 0.0))
     axes.grid(visible=False)
@@ -192,14 +170,7 @@ def _solid(axes: Any, panel: Panel) -> None:
 def _solid_body(axes: Any, body: BodyShape) -> None:
     points = list(dict.fromkeys(body.points))
     if body.role == "platform" and len(points) > 2:
-        from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # noqa: PLC0415
-
-        ring = _around(points)
-        axes.add_collection3d(
-            Poly3DCollection(
-                [ring], facecolor=PLATFORM, edgecolor=BLUE, linewidth=1.0, alpha=0.5
-            )
-        )
+        axes.add_collection3d(polygon_in_space(_around(points), PLATFORM, BLUE))
         return
     if body.role == "base":
         xs, ys, zs = zip(*points, strict=True)
@@ -280,7 +251,7 @@ def _equal(axes: Any, panel: Panel) -> None:
     unit = f" / {printable(panel.scene.unit)}" if panel.scene.unit else ""
     for name in "xyz":
         label = getattr(axes, f"set_{name}label")
-        label(f"{name}{unit}", fontsize=_FONT - 2, labelpad=-6, parse_math=False)
+        label(f"{name}{unit}", fontsize=FONT - 2, labelpad=-6, parse_math=False)
 
 
 # -- in both ------------------------------------------------------------------------
@@ -309,7 +280,7 @@ def _pen(shape: EllipseShape) -> tuple[str, float, Any]:
 def _legend(axes: Any, panel: Panel) -> None:
     if any(shape.label for shape in panel.ellipses):
         place = "best" if panel.scene.planar else "upper left"
-        legend = axes.legend(fontsize=_FONT - 2, loc=place, framealpha=0.8)
+        legend = axes.legend(fontsize=FONT - 2, loc=place, framealpha=0.8)
         for text in legend.get_texts():
             text.set_parse_math(False)
             text.set_text(printable(text.get_text()))

@@ -19,6 +19,7 @@ from screwkit.reports.blocks import (
     Citation,
     Column,
     Condition,
+    Figure,
     Formula,
     Heading,
     Listing,
@@ -191,6 +192,8 @@ def _render(block: Block, setting: _Setting) -> str:
             return _table(block, setting)
         case Listing(items, _):
             return _listing(items, setting)
+        case Figure():
+            return _figure(block, setting)
         case Bibliography(entries):
             entry_lines = [
                 rf"\bibitem{{{_label(entry.key)}}} {escape(entry.text)}"
@@ -202,6 +205,21 @@ def _render(block: Block, setting: _Setting) -> str:
             )
         case _:
             assert_never(block)
+
+
+def _figure(figure: Figure, setting: _Setting) -> str:
+    """A floating figure; its file stands in ``figs``."""
+    width = "0.6" if len(figure.panels) == 1 else "0.98"
+    return "\n".join(
+        [
+            r"\begin{figure}[htbp]",
+            r"\centering",
+            rf"\includegraphics[width={width}\linewidth]{{figs/{figure.name}.pdf}}",
+            rf"\caption{{{_inline(figure.caption, setting)}}}",
+            rf"\label{{{_label(figure.label)}}}",
+            r"\end{figure}",
+        ]
+    )
 
 
 def _heading(text: Text, level: int, aside: Text, setting: _Setting) -> str:

@@ -11,6 +11,7 @@ from screwkit.reports.blocks import (
     Bibliography,
     Block,
     Citation,
+    Figure,
     Formula,
     Heading,
     Listing,
@@ -22,6 +23,7 @@ from screwkit.reports.blocks import (
     Table,
     Text,
 )
+from screwkit.reports.panels import Panel
 
 _STYLE: Final = """
 body{font:16px/1.5 Georgia,serif;max-width:60rem;margin:2rem auto;padding:0 1rem}
@@ -79,6 +81,12 @@ def _render(block: Block) -> str:
             return f"<pre>{escape(plain.render((block,)))}</pre>"
         case Table():
             return _table(block)
+        case Figure(panels, caption, label):
+            drawn = _svg(panels)
+            return (
+                f'<figure id="{escape(label)}">{drawn}'
+                f"<figcaption>{_inline(caption)}</figcaption></figure>"
+            )
         case Bibliography(entries):
             items = "".join(
                 f'<li id="{escape(entry.key)}">[{escape(entry.key)}] '
@@ -88,6 +96,14 @@ def _render(block: Block) -> str:
             return f"<h2>References</h2><ul>{items}</ul>"
         case _:
             assert_never(block)
+
+
+def _svg(panels: Sequence[Panel]) -> str:
+    """The picture as an element of the page."""
+    from screwkit.reports.draw_print import picture  # noqa: PLC0415 -- heavy
+
+    content = picture(panels, "svg").decode()
+    return content[content.index("<svg") :]
 
 
 def _table(table: Table) -> str:

@@ -13,6 +13,13 @@ _KNOWN: Final = {
     "BicchiMelchiorri": "A. Bicchi, C. Melchiorri, D. Balluchi, On the mobility and "
     "manipulability of general multiple limb robots. IEEE Transactions on Robotics and "
     "Automation 11(2), 1995.",
+    "BicchiPrattichizzo": "A. Bicchi, D. Prattichizzo, Manipulability of cooperating "
+    "robots with unactuated joints and closed-chain mechanisms. IEEE Transactions on "
+    "Robotics and Automation 16(4), 2000.",
+    "ChiacchioEtAl1990": "P. Chiacchio, S. Chiaverini, L. Sciavicco, B. Siciliano, On "
+    "the manipulability of dual cooperative robots. 1990; see also Global task space "
+    "manipulability ellipsoids for multiple-arm systems. IEEE Transactions on Robotics "
+    "and Automation 7(5), 1991.",
     "Gogu2007": "G. Gogu, Structural Synthesis of Parallel Robots, Part 1: "
     "Methodology. Springer, 2007.",
     "Hunt1978": "K. H. Hunt, Kinematic Geometry of Mechanisms. Oxford University "

@@ -174,6 +174,7 @@ def _(result: Analysis) -> tuple[Block, ...]:
         ("SCREWS", result.screws),
         ("SINGULARITIES", result.singularities),
         ("ACTUATION SCHEMES", result.schemes),
+        ("MANIPULABILITY", result.manipulability),
     ):
         parts.append(Heading(words(name), 1))
         parts += blocks(part)

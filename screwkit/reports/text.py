@@ -13,6 +13,7 @@ from screwkit.reports.blocks import (
     Citation,
     Column,
     Condition,
+    Figure,
     Formula,
     Heading,
     Listing,
@@ -130,6 +131,8 @@ def _render(block: Block, page: Page) -> str:
             return _table(block, page)
         case Listing(items, indent):
             return _listing(items, 2 * indent, page)
+        case Figure(_, caption, _):
+            return _paragraph(f"picture: {_inline(caption, page)}", "  ", page)
         case Bibliography(entries):
             return "\n".join(f"[{entry.key}]  {entry.text}" for entry in entries)
         case _:

@@ -13,6 +13,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Final
 
@@ -34,8 +35,18 @@ def is_available() -> bool:
     return shutil.which("pdflatex") is not None
 
 
-def typeset(source: str, *, seconds: float = SECONDS) -> tuple[bytes, str]:
+def typeset(
+    source: str,
+    *,
+    seconds: float = SECONDS,
+    files: Mapping[str, bytes] | None = None,
+) -> tuple[bytes, str]:
     """The PDF of a document, and the log of its last run.
+
+    Args:
+        source: LaTeX.
+        seconds: For each run.
+        files: What the document includes, by the path it gives.
 
     Raises:
         MissingToolError: If TeX is not installed.
@@ -46,6 +57,9 @@ def typeset(source: str, *, seconds: float = SECONDS) -> tuple[bytes, str]:
     with tempfile.TemporaryDirectory(prefix="screwkit-tex-") as folder:
         place = Path(folder)
         (place / "report.tex").write_text(source, encoding="utf-8")
+        for name, content in (files or {}).items():
+            (place / name).parent.mkdir(exist_ok=True)
+            (place / name).write_bytes(content)
         command, runs = _command()
         log = ""
         for _ in range(runs):

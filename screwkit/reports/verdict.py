@@ -41,6 +41,7 @@ def is_plain_yes(result: Any) -> bool:
                 result.screws,
                 result.singularities,
                 result.schemes,
+                result.manipulability,
             )
             broken = any(
                 claim.holds and claim.agrees is False for claim in result.claims
@@ -68,6 +69,7 @@ def partial_analysis(parts: Sequence[tuple[str, Any]], reason: str) -> Analysis 
         screws=done.get("screws", open_question),
         singularities=done.get("singularities", open_question),
         schemes=done.get("schemes", open_question),
+        manipulability=done.get("manipulability", open_question),
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from screwkit.results.manipulability import Manipulability
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import Screws
@@ -79,4 +80,5 @@ class Analysis:
     screws: Screws | Undecided
     singularities: Singularities | Undecided
     schemes: Schemes | Undecided
+    manipulability: Manipulability | Undecided
     claims: tuple[ClaimCheck, ...] = ()
