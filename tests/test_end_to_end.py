@@ -151,7 +151,11 @@ def test_reports_are_whole_however_far_the_work_came(case: str, tmp_path: Path) 
 
 def typeset_again(source: Path) -> str:
     """The log of setting the source that a report leaves beside its PDF."""
-    pdf, log = typeset.typeset(source.read_text(encoding="utf-8"))
+    figures = {
+        path.relative_to(source.parent).as_posix(): path.read_bytes()
+        for path in source.parent.glob("figs/*")
+    }
+    pdf, log = typeset.typeset(source.read_text(encoding="utf-8"), files=figures)
     assert pdf.startswith(b"%PDF")
     return log
 

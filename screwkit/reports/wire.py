@@ -11,7 +11,16 @@ from collections.abc import Callable
 from dataclasses import MISSING, dataclass, fields, is_dataclass
 from functools import cache
 from types import NoneType, UnionType
-from typing import Any, Final, TypeAlias, Union, get_args, get_origin, get_type_hints
+from typing import (
+    Any,
+    Final,
+    Literal,
+    TypeAlias,
+    Union,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
 
 from screwkit.results.mobility import Mobility
 from screwkit.results.screws import (
@@ -57,6 +66,8 @@ def decode(annotation: Any, data: Any) -> Any:
         return tuple(decode(a, item) for a, item in zip(items, data, strict=True))
     if isinstance(annotation, type) and is_dataclass(annotation):
         return _decode_object(annotation, data)
+    if origin is Literal and data not in get_args(annotation):
+        raise ValueError(f"expected one of {get_args(annotation)}, got {data!r}")
     if annotation is NoneType and data is not None:
         raise ValueError(f"expected null, got {data!r}")
     return data
@@ -118,6 +129,8 @@ def schema(annotation: Any, definitions: Json) -> Json:
             "minItems": len(items),
             "maxItems": len(items),
         }
+    if origin is Literal:
+        return {"enum": list(get_args(annotation))}
     name = annotation.__name__
     if name not in definitions:
         definitions[name] = {}

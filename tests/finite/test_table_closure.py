@@ -25,6 +25,7 @@ from screwkit.kinematics.loops import ring_at
 from screwkit.kinematics.values import declared_values, with_values
 from screwkit.questions import mobility, relative_motion
 from screwkit.results.mobility import Mobility
+from screwkit.results.partition import Partition
 
 HEAD = """\
 screwkit: 1
@@ -212,6 +213,10 @@ def planar_posture(table: Table, folder: Path) -> str:
     )
 
 
+def counted(parts: Partition) -> tuple[int | None, ...]:
+    return (parts.mobility, parts.connectivity, parts.redundancy, parts.indeterminacy)
+
+
 def told(answer: Mobility) -> dict[str, object]:
     """What two files of one mechanism agree on, however they describe it."""
     actuation = answer.actuation
@@ -231,7 +236,7 @@ def told(answer: Mobility) -> dict[str, object]:
         "couples": answer.platform.couples,
         "finite types": answer.platform.finite_motion_types,
         "locked": (actuation.remaining_mobility, actuation.remaining_platform_freedom),
-        "partition": answer.partition,
+        "partition": counted(answer.partition),
     }
 
 

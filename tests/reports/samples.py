@@ -387,6 +387,7 @@ ANALYSIS = Analysis(
     screws=SCREWS,
     singularities=SINGULARITIES,
     schemes=SCHEMES,
+    manipulability=Undecided("the length 'd5' has no value; give one with --set"),
     claims=(
         ClaimCheck(
             "mobility.instantaneous_mobility",

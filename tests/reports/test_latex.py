@@ -86,10 +86,11 @@ def test_undecided_parts_are_sections() -> None:
         screws=samples.REFUSED,
         singularities=samples.REFUSED,
         schemes=samples.REFUSED,
+        manipulability=samples.REFUSED,
         claims=(),
     )
     source = latex_source(article(analysis))
-    assert source.count(r"\textbf{Undecided}") == 4
+    assert source.count(r"\textbf{Undecided}") == 5
 
 
 def test_a_fragment_stands_alone() -> None:
