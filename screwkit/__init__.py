@@ -9,17 +9,18 @@ if TYPE_CHECKING:
     from screwkit.case import Case as Case
     from screwkit.case import bundled_cases as bundled_cases
     from screwkit.case import load as load
+    from screwkit.metric_questions import manipulability as manipulability
+    from screwkit.metric_questions import reach as reach
+    from screwkit.metric_questions import sweep as sweep
     from screwkit.questions import analyze as analyze
     from screwkit.questions import assemble as assemble
     from screwkit.questions import follow as follow
-    from screwkit.questions import manipulability as manipulability
     from screwkit.questions import mobility as mobility
     from screwkit.questions import move as move
     from screwkit.questions import relative_motion as relative_motion
     from screwkit.questions import schemes as schemes
     from screwkit.questions import screws as screws
     from screwkit.questions import singularities as singularities
-    from screwkit.questions import sweep as sweep
 
 __version__ = "0.1.0"
 
@@ -30,14 +31,15 @@ _HOMES = {
     "analyze": "screwkit.questions",
     "assemble": "screwkit.questions",
     "follow": "screwkit.questions",
-    "manipulability": "screwkit.questions",
+    "manipulability": "screwkit.metric_questions",
     "move": "screwkit.questions",
     "mobility": "screwkit.questions",
+    "reach": "screwkit.metric_questions",
     "relative_motion": "screwkit.questions",
     "schemes": "screwkit.questions",
     "screws": "screwkit.questions",
     "singularities": "screwkit.questions",
-    "sweep": "screwkit.questions",
+    "sweep": "screwkit.metric_questions",
 }
 __all__ = [
     "Case",
@@ -50,6 +52,7 @@ __all__ = [
     "manipulability",
     "mobility",
     "move",
+    "reach",
     "relative_motion",
     "schemes",
     "screws",

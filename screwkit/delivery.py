@@ -17,6 +17,7 @@ from typing import Any
 from screwkit.errors import ScrewkitError
 from screwkit.results.analysis import Analysis
 from screwkit.results.manipulability import Manipulability
+from screwkit.results.reach import Reach
 from screwkit.results.schemes import Schemes
 from screwkit.results.singularities import Singularities
 
@@ -86,6 +87,8 @@ def _csv(answer: Schemes) -> str:
 def deliver_picture(path: Path) -> Delivery:
     """Draw the mechanism with its ellipses: .pdf, .svg or .png by the ending.
 
+    Several configurations go to numbered files.
+
     Raises:
         ScrewkitError: If the ending is none of these.
     """
@@ -94,18 +97,28 @@ def deliver_picture(path: Path) -> Delivery:
     if path.suffix not in FORMS:
         raise ScrewkitError(f"{path}: a picture is written as {', '.join(FORMS)}")
 
-    def deliver(answer: Manipulability) -> list[str]:
+    def deliver(answer: Manipulability | Reach) -> list[str]:
         from screwkit.reports.draw_print import picture  # noqa: PLC0415
         from screwkit.reports.output import write  # noqa: PLC0415
         from screwkit.reports.panels import panels_of  # noqa: PLC0415
 
-        panels = panels_of(answer)
-        if not panels:
-            return ["no picture: the mechanism has too many joints"]
-        write(path, picture(panels, FORMS[path.suffix]))
-        return [f"wrote {path}"]
+        answers = [answer] if isinstance(answer, Manipulability) else _all(answer)
+        said = []
+        for number, one in enumerate(answers, 1):
+            panels = panels_of(one)
+            if not panels:
+                return ["no picture: the mechanism has too many joints"]
+            name = f"{path.stem}-{number}" if len(answers) > 1 else path.stem
+            place = path.with_name(name + path.suffix)
+            write(place, picture(panels, FORMS[path.suffix]))
+            said.append(f"wrote {place}")
+        return said
 
     return deliver
+
+
+def _all(answer: Reach) -> list[Manipulability]:
+    return list(answer.configurations)
 
 
 def deliver_report(form: str, output: Path | None) -> Delivery:

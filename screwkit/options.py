@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -73,4 +74,52 @@ Body = Annotated[
 RelativeTo = Annotated[
     str | None,
     typer.Option(metavar="LINK", help="Relative to this body; the base by default."),
+]
+Length = Annotated[
+    str | None,
+    typer.Option(metavar="L", help="A length that counts as one radian."),
+]
+Draw = Annotated[
+    Path | None,
+    typer.Option(metavar="FILE", help="A picture too: .pdf, .svg or .png."),
+]
+Size = Annotated[int | None, typer.Option(min=0, help="Actuated freedoms in a scheme.")]
+Candidates = Annotated[
+    str | None, typer.Option(metavar="1,2,3", help="Freedoms to choose from.")
+]
+Balanced = Annotated[
+    bool, typer.Option("--balanced", help="Same number from every limb.")
+]
+Point = Annotated[
+    str | None,
+    typer.Option(metavar="X,Y,Z", help="Where the reference point is wanted."),
+]
+Turn = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="LINK=ANGLE",
+        help="By which angle, in space by which rotation vector x,y,z, a link is "
+        "turned from the posture of the file; repeatable.",
+    ),
+]
+Vary = Annotated[
+    list[str] | None,
+    typer.Option(metavar="NAME=A:B:COUNT", help="A range of a symbol; repeatable."),
+]
+Index = Annotated[
+    str,
+    typer.Option(
+        help="kinematic or force with .min .max .condition .product .misfit; "
+        "locus; sigma_min."
+    ),
+]
+Samples = Annotated[
+    int | None, typer.Option(min=1, help="So many points of the box, no grid.")
+]
+Refined = Annotated[
+    Best | None, typer.Option("--best", help="Refine the least or the greatest value.")
+]
+Workers = Annotated[int | None, typer.Option(min=1, help="Processes on this machine.")]
+Scheduler = Annotated[
+    str | None, typer.Option(metavar="ADDRESS", help="Of a Dask cluster.")
 ]

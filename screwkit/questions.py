@@ -6,27 +6,21 @@ Thin on purpose: each passes the case's assembly to the analysis that answers.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import Executor
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any
 
 from screwkit.case import Case
-from screwkit.errors import MechanismFileError, ScrewkitError, UndecidedError
+from screwkit.errors import MechanismFileError, UndecidedError
+from screwkit.metric_questions import manipulability
 from screwkit.progress import Progress, silent
 from screwkit.results.analysis import Analysis
-from screwkit.results.manipulability import Manipulability
 from screwkit.results.mobility import Mobility, MotionCase
 from screwkit.results.motion import MotionPath
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import RelativeMotion, Screws
 from screwkit.results.singularities import Singularities
-from screwkit.results.sweep import Sweep
 from screwkit.results.undecided import Undecided
-
-if TYPE_CHECKING:
-    from screwkit.sweeps.answer import Map
 
 
 def mobility(case: Case, progress: Progress = silent) -> Mobility:
@@ -154,133 +148,6 @@ def schemes(
 
     _need_exact_posture(case)
     return analysis.schemes(case.assembly, size, candidates, balanced, progress)
-
-
-def manipulability(
-    case: Case, length: str = "", progress: Progress = silent
-) -> Manipulability:
-    """Who moves with whom, and how fast, strong and accurate the platform is.
-
-    Args:
-        case: The mechanism; a number for each of its symbols.
-        length: A length that counts as one radian where the file gives no weights; a
-            number or an expression of constants.
-        progress: Told about each stage.
-
-    Raises:
-        UndecidedError: If a symbol has no value, or the posture is not reached.
-        ExpressionError: If the length is no constant expression.
-        MechanismFileError: If no limb holds the platform.
-    """
-    from screwkit.algebra.parse import parse  # noqa: PLC0415
-    from screwkit.analyses import manipulability as analysis  # noqa: PLC0415
-    from screwkit.mechanism.graph import holding_joints  # noqa: PLC0415
-
-    mechanism = case.mechanism
-    if not holding_joints(mechanism):
-        raise case.refuse(
-            ("platform",),
-            f"no limb holds the platform {mechanism.platform!r}: connect it with the "
-            f"base, or name another body as platform",
-        )
-    measure = parse(str(length), ()) if length else None
-    return analysis.manipulability(case.network, case.wanted, measure, progress)
-
-
-def sweep(
-    case: Case,
-    vary: Sequence[str],
-    index: str = "kinematic.min",
-    samples: int = 0,
-    best: Literal["", "least", "greatest"] = "",
-    output: str | Path = "",
-    executor: Executor | None = None,
-    progress: Progress = silent,
-) -> Map:
-    """An index over ranges of symbols and joint variables.
-
-    Args:
-        case: The mechanism.
-        vary: Ranges, ``"alpha=-pi:pi:181"`` each.
-        index: ``kinematic`` or ``force`` with ``.min``, ``.max``, ``.condition``,
-            ``.product`` or ``.misfit``; ``locus`` or ``sigma_min``.
-        samples: Take so many evenly spread points of the box instead of the grid.
-        best: Refine the ``least`` or the ``greatest`` value.
-        output: Write all values to this file, .csv or .npz, or draw a map of one or
-            two symbols, .pdf, .svg or .png.
-        executor: Evaluates the chunks: any `concurrent.futures.Executor`, or one of
-            Dask, ``Client(…).get_executor()``.
-        progress: Told how far it is.
-
-    Returns:
-        The values as arrays, and the answer in numbers and words.
-
-    Raises:
-        UnknownNameError: If an index or a symbol is unknown.
-        ExpressionError: If a range is none.
-        UndecidedError: If the index has no finite values, or a symbol no value.
-    """
-    from screwkit.reports.figures import FORMS  # noqa: PLC0415
-    from screwkit.sweeps.answer import sweep_map  # noqa: PLC0415
-
-    place = Path(output) if output else None
-    drawn = place is not None and place.suffix in FORMS
-    kept = None if drawn else place
-    found = sweep_map(
-        case.mechanism, vary, index, samples, best, kept, executor, progress
-    )
-    if place is None or not drawn:
-        return found
-    from screwkit.reports.draw_map import map_picture  # noqa: PLC0415
-    from screwkit.reports.output import write  # noqa: PLC0415
-
-    answer = found.answer
-    if samples:
-        raise ScrewkitError("samples are no grid; write .npz or .csv")
-    content = map_picture(
-        answer.vary,
-        [found.axes[name].tolist() for name in answer.vary],
-        found.values.tolist(),
-        index,
-        FORMS[place.suffix],
-        () if answer.best is None else answer.best.values,
-    )
-    write(place, content)
-    return replace(found, answer=replace(answer, file=str(place)))
-
-
-def sweep_answer(
-    case: Case,
-    vary: Sequence[str],
-    index: str = "kinematic.min",
-    samples: int = 0,
-    best: Literal["", "least", "greatest"] = "",
-    output: str = "",
-    workers: int = 0,
-    scheduler: str = "",
-    progress: Progress = silent,
-) -> Sweep:
-    """`sweep` on worker processes, or on a Dask cluster; without the arrays.
-
-    Args:
-        case: The mechanism.
-        vary: As for `sweep`, with ``index``, ``samples``, ``best`` and ``output``.
-        index: What is evaluated.
-        samples: Points of the box instead of a grid.
-        best: Which value is refined.
-        output: A file for all values.
-        workers: Processes on this machine; 0 for this one.
-        scheduler: Address of a Dask scheduler; empty for none.
-        progress: Told how far it is.
-
-    Raises:
-        MissingToolError: If Dask is asked for and not installed.
-    """
-    from screwkit.sweeps.executors import executor_of  # noqa: PLC0415
-
-    with executor_of(workers, scheduler) as executor:
-        found = sweep(case, vary, index, samples, best, output, executor, progress)
-    return found.answer
 
 
 def analyze(

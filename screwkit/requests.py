@@ -29,8 +29,8 @@ def request_of(question: str, given: dict[str, Any], **options: Any) -> Any:
         question=question,
         case=given["case"],
         variant=given["variant"],
-        set_values=_settings("--set", given["set_values"]),
-        at=_settings("--at", given["at"]),
+        set_values=settings("--set", given["set_values"]),
+        at=settings("--at", given["at"]),
         actuated=None if actuated is None else names_in(actuated),
         options={name: value for name, value in options.items() if value is not None},
         memory=None if memory is None else int(memory * 2**30),
@@ -44,7 +44,7 @@ def request_of(question: str, given: dict[str, Any], **options: Any) -> Any:
     )
 
 
-def _settings(option: str, texts: list[str] | None) -> dict[str, str]:
+def settings(option: str, texts: list[str] | None) -> dict[str, str]:
     """Names and texts of values, in the order given."""
     found = {}
     for text in texts or ():

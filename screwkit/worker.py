@@ -23,8 +23,9 @@ TARGETS: Final = {
     "screws": "screwkit.questions:screws",
     "singularities": "screwkit.questions:singularities",
     "schemes": "screwkit.questions:schemes",
-    "manipulability": "screwkit.questions:manipulability",
-    "sweep": "screwkit.questions:sweep_answer",
+    "manipulability": "screwkit.metric_questions:manipulability",
+    "reach": "screwkit.metric_questions:reach",
+    "sweep": "screwkit.metric_questions:sweep_answer",
     "analyze": "screwkit.questions:analyze",
 }
 

@@ -17,7 +17,7 @@ from screwkit.algebra.expression_building import multiply, quotient
 from screwkit.analyses.moved import closed_table
 from screwkit.analyses.partition import GraspPair
 from screwkit.errors import UndecidedError
-from screwkit.finite.moved_posture import arrival_at
+from screwkit.finite.moved_posture import Arrival, arrival_at
 from screwkit.grasping.exact_grasp import ExactGrasp, Ranks, exact_grasps
 from screwkit.grasping.matrices import GraspMatrices
 from screwkit.kinematics.exact_postures import at_zero
@@ -72,6 +72,65 @@ class GraspPosture:
         )
 
 
+@dataclass(frozen=True)
+class NumericMechanism:
+    """A mechanism with all its numbers, before it stands anywhere.
+
+    Attributes:
+        symbolic: With its symbols, its scheme completed.
+        numbers: With numbers for them.
+        all_actuated: Whether the file declares no scheme.
+        variables: Values of symbols.
+        start: The closed posture of a table that is not closed at 0; None elsewhere.
+    """
+
+    symbolic: Mechanism
+    numbers: Mechanism
+    all_actuated: bool
+    variables: Mapping[str, float]
+    start: Mapping[str, float] | None
+
+    def arrived(self, there: Arrival) -> GraspPosture:
+        """The grasp where a motion ended, known in floating point alone."""
+        matrices = grasp_on_arrival(self.numbers, there)
+        variables = {**self.variables, **there.values}
+        return GraspPosture(
+            self.symbolic, self.numbers, matrices, None, self.all_actuated, variables
+        )
+
+
+def numeric_mechanism(
+    network: Network, length: Expression | None = None
+) -> NumericMechanism:
+    """A mechanism with the values of its file.
+
+    Args:
+        network: Of the mechanism.
+        length: Counts as one radian where the file gives no weights.
+
+    Raises:
+        UndecidedError: If a symbol has no value or a table closes nowhere.
+    """
+    mechanism, none_declared = with_scheme(network.mechanism)
+    if length is not None:
+        mechanism = with_length(mechanism, length)
+    values = declared_values(mechanism)
+    missing = [p.name for p in mechanism.parameters if p.name not in values]
+    if missing:
+        raise UndecidedError(
+            f"manipulability is a number at a posture, and {', '.join(missing)} "
+            f"{'has' if len(missing) == 1 else 'have'} no value: --set {missing[0]}=…"
+        )
+    table = closed_table(Network(mechanism))
+    return NumericMechanism(
+        mechanism,
+        with_values(mechanism, values),
+        none_declared,
+        float_values(values),
+        None if table is None else table.values,
+    )
+
+
 def grasp_posture(
     network: Network, wanted: Mapping[str, Expression], length: Expression | None
 ) -> GraspPosture:
@@ -85,29 +144,14 @@ def grasp_posture(
     Raises:
         UndecidedError: If a symbol has no value or the posture is not reached.
     """
-    mechanism, none_declared = with_scheme(network.mechanism)
-    if length is not None:
-        mechanism = with_length(mechanism, length)
-    values = declared_values(mechanism)
-    missing = [p.name for p in mechanism.parameters if p.name not in values]
-    if missing:
-        raise UndecidedError(
-            f"manipulability is a number at a posture, and {', '.join(missing)} "
-            f"{'has' if len(missing) == 1 else 'have'} no value: --set {missing[0]}=…"
-        )
-    numbers = with_values(mechanism, values)
-    variables = float_values(values)
-    table = closed_table(Network(mechanism))
-    if wanted or table is not None:
-        start = None if table is None else table.values
-        there = arrival_at(numbers, wanted, start)
+    known = numeric_mechanism(network, length)
+    mechanism, numbers = known.symbolic, known.numbers
+    if wanted or known.start is not None:
+        there = arrival_at(numbers, wanted, known.start)
         if not there.found.closed:
             raise UndecidedError(f"the posture was not reached: {there.found.reason}")
-        matrices = grasp_on_arrival(numbers, there)
-        variables |= dict(there.values)
-        return GraspPosture(
-            mechanism, numbers, matrices, None, none_declared, variables
-        )
+        return known.arrived(there)
+    variables = dict(known.variables)
     if mechanism.geometry != "posture":
         free = {
             n: ZERO for n in mechanism.joint_variables if not _is_held(mechanism, n)
@@ -119,7 +163,7 @@ def grasp_posture(
         numbers,
         float_matrices(numbers),
         GraspPair.of(numbers),
-        none_declared,
+        known.all_actuated,
         variables,
     )
 

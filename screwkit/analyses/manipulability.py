@@ -61,7 +61,11 @@ def manipulability(
         UndecidedError: If a symbol has no value, or the posture is not reached.
     """
     progress("manipulability", f"{len(network.labels)} freedoms")
-    at = grasp_posture(network, wanted or {}, length)
+    return measured(grasp_posture(network, wanted or {}, length), length)
+
+
+def measured(at: GraspPosture, length: Expression | None = None) -> Manipulability:
+    """The answer for a grasp at its posture; ``length`` is told where it was given."""
     arms = _arms(at)
     refusal = arms_refused(at, arms)
     answers = posture_answers(
@@ -80,8 +84,8 @@ def manipulability(
         internal = with_polynomial(internal, exact.internal)
     ranks = answers.ranks
     return Manipulability(
-        case=network.mechanism.name,
-        title=network.mechanism.title,
+        case=at.mechanism.name,
+        title=at.mechanism.title,
         contacts=contact_places(at),
         actuated=at.matrices.actuated,
         passive=at.matrices.passive,

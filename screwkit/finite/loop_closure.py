@@ -138,6 +138,36 @@ def assembled(
     return _report(scene, [close], close, float(_is_closed(close)))
 
 
+def assemblies(
+    model: PostureModel, guesses: Array, fixed: Sequence[str] = ()
+) -> list[ClosedMotion]:
+    """The closed postures near many guesses, in their order, where there are any.
+
+    Args:
+        model: At any posture.
+        guesses: Coordinates of all freedoms, shape (guesses, freedoms).
+        fixed: Freedoms that keep the values of the guesses.
+
+    Raises:
+        UnknownNameError: If ``fixed`` names no freedom.
+    """
+    scene = _scene(model, fixed)
+    forest = scene.holding([model.index(label) for label in fixed])
+    count, sums = len(guesses), np.asarray(guesses, float) / scene.units
+    start = stance_of(scene.model, forest).take(np.zeros(count, dtype=np.intp))
+    stance = moved(forest, start, sums)
+    whole = _whole(forest).take(np.zeros(count, dtype=np.intp))
+    found = projected(forest, stance, np.zeros_like(sums), whole)
+    states = [
+        _State(
+            found.stance.take(np.array([number])),
+            sums[number] + found.travelled[number],
+        )
+        for number in np.flatnonzero(found.closed)
+    ]
+    return [_report(scene, [state], state, 1.0) for state in states]
+
+
 def moved_to(model: PostureModel, targets: Mapping[str, float]) -> ClosedMotion:
     """Move some freedoms to given values; the loops take the others along.
 

@@ -91,10 +91,7 @@ def arrival_at(
     Raises:
         UnknownNameError: If a symbol has no value.
     """
-    before: dict[str, float] = {}
-    if mechanism.geometry == "mdh":
-        before = dict.fromkeys(mechanism.joint_variables, 0.0) | dict(start or {})
-    model = posture_model(mechanism, before)
+    model, before = departure(mechanism, start)
     labels = _labels(mechanism)
     ring = ring_at(mechanism, {})
     targets = {}
@@ -105,8 +102,32 @@ def arrival_at(
             cosine, sine = cosine_sine(expression, ring)
             value = atan2(float(sine), float(cosine))
         targets[labels[name]] = value - before.get(name, 0.0)
-    found = moved_to(model, targets)
-    names = {label: name for name, label in labels.items()}
+    return arrival(mechanism, model, before, moved_to(model, targets))
+
+
+def departure(
+    mechanism: Mechanism, start: Mapping[str, float] | None = None
+) -> tuple[PostureModel, dict[str, float]]:
+    """The model where motions start, and the joint variables that a table gives it.
+
+    Args:
+        mechanism: All its symbols with values.
+        start: A closed posture of an ``mdh`` file; 0 by default.
+    """
+    before: dict[str, float] = {}
+    if mechanism.geometry == "mdh":
+        before = dict.fromkeys(mechanism.joint_variables, 0.0) | dict(start or {})
+    return posture_model(mechanism, before), before
+
+
+def arrival(
+    mechanism: Mechanism,
+    model: PostureModel,
+    before: Mapping[str, float],
+    found: ClosedMotion,
+) -> Arrival:
+    """Where a motion from a departure came to, by joint variables."""
+    names = {label: name for name, label in _labels(mechanism).items()}
     last = (
         found.coordinates[-1] if len(found.coordinates) else [0.0] * len(model.labels)
     )

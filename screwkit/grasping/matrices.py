@@ -120,7 +120,7 @@ def grasp_matrices(
         ExpressionError: If a coordinate has no value in the ring.
     """
     holds = holds_of(mechanism)
-    centre = _reference_point(mechanism, ring)
+    centre = reference_point(mechanism, ring)
     if twists is None:
         twists = joint_twists(mechanism, ring, mechanism.base)
         if mechanism.geometry == "reference":
@@ -181,7 +181,8 @@ def _has_rate(joint: Joint, holds: Holds) -> bool:
     return all(joint.name != h.joint for h in holds.all if h.selective)
 
 
-def _reference_point(mechanism: Mechanism, ring: Ring[S]) -> Vector[S]:
+def reference_point(mechanism: Mechanism, ring: Ring[S]) -> Vector[S]:
+    """Of the platform, in base coordinates where the file describes it."""
     if mechanism.reference_point is None:
         return ring.zero, ring.zero, ring.zero
     x, y, z = (evaluate(part, ring) for part in mechanism.reference_point)

@@ -18,6 +18,7 @@ from screwkit.reports.wire import Json, decode, encode, schema
 from screwkit.results.analysis import Analysis, Description
 from screwkit.results.manipulability import Manipulability
 from screwkit.results.mobility import Mobility
+from screwkit.results.reach import Reach
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import RelativeMotion, Screws
 from screwkit.results.singularities import (
@@ -36,6 +37,7 @@ Result: TypeAlias = (
     | Singularities
     | Schemes
     | Manipulability
+    | Reach
     | Sweep
     | Analysis
     | Undecided
@@ -48,6 +50,7 @@ QUESTIONS: Final[dict[str, type]] = {
     "singularities": Singularities,
     "schemes": Schemes,
     "manipulability": Manipulability,
+    "reach": Reach,
     "sweep": Sweep,
     "analyze": Analysis,
 }

@@ -14,6 +14,7 @@ from typing import Any
 
 from screwkit.reports.about_manipulability import manipulability_blocks
 from screwkit.reports.about_mobility import mobility_blocks, topology_line
+from screwkit.reports.about_reach import reach_blocks
 from screwkit.reports.about_schemes import schemes_blocks
 from screwkit.reports.about_screws import relative_blocks, screws_blocks
 from screwkit.reports.about_singularities import (
@@ -41,6 +42,7 @@ from screwkit.reports.notation import is_mathematics
 from screwkit.results.analysis import Analysis, ClaimCheck, Description
 from screwkit.results.manipulability import Manipulability
 from screwkit.results.mobility import Mobility
+from screwkit.results.reach import Reach
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import RelativeMotion, Screws
 from screwkit.results.singularities import (
@@ -132,6 +134,11 @@ def _(result: Schemes) -> tuple[Block, ...]:
 @blocks.register
 def _(result: Manipulability) -> tuple[Block, ...]:
     return manipulability_blocks(result)
+
+
+@blocks.register
+def _(result: Reach) -> tuple[Block, ...]:
+    return reach_blocks(result)
 
 
 @blocks.register

@@ -1,0 +1,393 @@
+"""The commands: arguments to a request, nothing more.
+
+Everything heavy is imported inside the commands, so that ``screwkit --help`` answers
+at once.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any, NoReturn
+
+import typer
+
+from screwkit.options import (
+    Actuated,
+    AsJson,
+    At,
+    Balanced,
+    Body,
+    Candidates,
+    CaseName,
+    Draw,
+    Every,
+    Format,
+    Index,
+    Length,
+    Memory,
+    Order,
+    Point,
+    Quiet,
+    Refined,
+    RelativeTo,
+    Samples,
+    Scheduler,
+    Setting,
+    Size,
+    Timeout,
+    Turn,
+    Variant,
+    Vary,
+    Workers,
+)
+from screwkit.requests import names_in, request_of, settings
+
+_EXAMPLE = """Mobility, singularities and actuation of mechanisms, derived exactly.
+
+\b
+  $ screwkit mobility nao_t14
+  $ screwkit singularities arm.yaml --actuated 1,2,3,7
+  $ screwkit schemes nao_t14 --balanced
+  $ screwkit report nao_t14 --format pdf -o report.pdf
+
+CASE is a mechanism file (YAML or JSON) or the name of a bundled case: see
+`screwkit cases`. Exit codes: 0 done; 1 the answer is negative or undecided; 2 usage;
+3 the file is wrong; 4 out of time; 5 a needed tool is missing; 130 interrupted.
+`--debug` anywhere shows tracebacks.
+"""
+
+app = typer.Typer(
+    rich_markup_mode=None,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    no_args_is_help=True,
+    help=_EXAMPLE,
+)
+
+
+def _answer(request: Any) -> NoReturn:
+    from screwkit.terminal import ask  # noqa: PLC0415
+
+    raise typer.Exit(ask(request))
+
+
+@app.command()
+def check(
+    case: CaseName,
+    *,
+    variant: Variant = None,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Is the file right: all errors, or a one-line summary.
+
+    Example: screwkit check arm.yaml
+    """
+    from screwkit.catalogue import check_case  # noqa: PLC0415
+
+    # The same options as everywhere; reading a file needs no deadline.
+    job = request_of("check", {**locals(), "memory": None}).job
+    changes = {
+        "set_values": job.set_values,
+        "actuated": job.actuated,
+        "variant": job.variant,
+        "at": job.at,
+    }
+    raise typer.Exit(check_case(job.case, changes, as_json=as_json, quiet=quiet))
+
+
+@app.command()
+def mobility(
+    case: CaseName,
+    *,
+    variant: Variant = None,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Freedoms, counted every way, with why the counts differ.
+
+    Example: screwkit mobility bennett
+    """
+    _answer(request_of("mobility", locals()))
+
+
+@app.command()
+def screws(
+    case: CaseName,
+    *,
+    order: Annotated[
+        Order, typer.Option(help="linear prints (v; ω) and (m; f).")
+    ] = Order.DIRECTION,
+    body: Body = None,
+    relative_to: RelativeTo = None,
+    variant: Variant = None,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Twist and wrench systems of limbs and platform, actuation wrenches.
+
+    With --body those of any body relative to any other.
+
+    Example: screwkit screws nao_t14 --order linear
+    """
+    given = locals()
+    if body is not None or relative_to is not None:
+        options = {"body": body or "", "relative_to": relative_to or ""}
+        options["order"] = "linear" if order is Order.LINEAR else "angular"
+        _answer(request_of("relative_motion", given, **options))
+    request = request_of("screws", given)
+    if order is Order.LINEAR:
+        from dataclasses import replace  # noqa: PLC0415
+
+        from screwkit.reports.verdict import in_linear_order  # noqa: PLC0415
+
+        request = replace(request, change=in_linear_order)
+    _answer(request)
+
+
+@app.command()
+def singularities(
+    case: CaseName,
+    *,
+    every: Every = False,
+    variant: Variant = None,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Limb, constraint and actuation singularities in closed form.
+
+    Example: screwkit singularities nao_t14 --actuated 1,2,3,7
+    """
+    request = request_of("singularities", locals())
+    if every:
+        from dataclasses import replace  # noqa: PLC0415
+
+        from screwkit.delivery import show_all  # noqa: PLC0415
+
+        request = replace(request, show=show_all)
+    _answer(request)
+
+
+@app.command()
+def schemes(
+    case: CaseName,
+    *,
+    size: Size = None,
+    candidates: Candidates = None,
+    balanced: Balanced = False,
+    every: Every = False,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="Write .tex, .csv, .json or .txt."),
+    ] = None,
+    variant: Variant = None,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Every choice of actuated joints, admissible or not and why, with its locus.
+
+    Example: screwkit schemes nao_t14 --size 5 --candidates 1,2,3,6,7,8 --all
+    """
+    request = request_of(
+        "schemes",
+        locals(),
+        size=size,
+        candidates=None if candidates is None else list(names_in(candidates)),
+    )
+    from dataclasses import replace  # noqa: PLC0415
+
+    from screwkit import delivery  # noqa: PLC0415
+
+    _answer(
+        replace(
+            request,
+            change=delivery.only_balanced if balanced else None,
+            show=delivery.show_all if every else None,
+            deliver=None if output is None else delivery.deliver_schemes(output),
+        )
+    )
+
+
+@app.command()
+def manipulability(
+    case: CaseName,
+    *,
+    length: Length = None,
+    draw: Draw = None,
+    variant: Variant = None,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Who moves with whom, and how fast, strong and accurate the platform is.
+
+    Example: screwkit manipulability five_bar --actuated A,E
+    """
+    request = request_of("manipulability", locals(), length=length)
+    _answer(_drawn(request, draw))
+
+
+@app.command()
+def reach(
+    case: CaseName,
+    *,
+    point: Point = None,
+    turn: Turn = None,
+    length: Length = None,
+    draw: Draw = None,
+    variant: Variant = None,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Configurations in which the platform is where it is wanted, and their indices.
+
+    Example: screwkit reach dual_planar_3r --point 1.2,1.4 --turn a3=0.3 --turn b3=-0.1
+    """
+    at = None  # the place says where the mechanism is moved
+    request = request_of(
+        "reach",
+        locals(),
+        point=None if point is None else list(names_in(point)),
+        turned={
+            name: list(names_in(t)) for name, t in settings("--turn", turn).items()
+        },
+        length=length,
+    )
+    _answer(_drawn(request, draw))
+
+
+def _drawn(request: Any, draw: Path | None) -> Any:
+    """The request, with a picture beside its answer."""
+    if draw is None:
+        return request
+    from dataclasses import replace  # noqa: PLC0415
+
+    from screwkit.delivery import deliver_picture  # noqa: PLC0415
+
+    return replace(request, beside=deliver_picture(draw))
+
+
+@app.command()
+def sweep(
+    case: CaseName,
+    *,
+    vary: Vary = None,
+    index: Index = "kinematic.min",
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="Write .csv, .npz or a .pdf map."),
+    ] = None,
+    samples: Samples = None,
+    best: Refined = None,
+    workers: Workers = None,
+    scheduler: Scheduler = None,
+    variant: Variant = None,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """An index over a grid or samples of symbols and joint variables.
+
+    Example: screwkit sweep stewart_alpha_beta --vary alpha=-pi:pi:61
+    --vary beta=-pi:pi:61 --index kinematic.misfit --best least
+    """
+    _answer(
+        request_of(
+            "sweep",
+            locals(),
+            vary=list(vary or ()),
+            index=index,
+            output=None if output is None else str(output),
+            samples=samples,
+            best=None if best is None else best.value,
+            workers=workers,
+            scheduler=scheduler,
+        )
+    )
+
+
+@app.command()
+def analyze(
+    case: CaseName,
+    *,
+    variant: Variant = None,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """All of it, and the claims of the case beside what holds.
+
+    Example: screwkit analyze nao_t14 --json
+    """
+    _answer(request_of("analyze", locals()))
+
+
+@app.command()
+def report(
+    case: CaseName,
+    *,
+    form: Annotated[
+        Format, typer.Option("--format", help="What to write.")
+    ] = Format.LATEX,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="File or folder.")
+    ] = None,
+    variant: Variant = None,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """An article with everything: LaTeX with fragments and JSON, PDF or HTML.
+
+    Example: screwkit report nao_t14 --format pdf -o report.pdf
+    """
+    request = request_of("analyze", locals())
+    from dataclasses import replace  # noqa: PLC0415
+
+    from screwkit.delivery import deliver_report  # noqa: PLC0415
+
+    _answer(replace(request, deliver=deliver_report(form.value, output)))
