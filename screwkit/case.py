@@ -12,11 +12,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from screwkit.algebra.expression import Expression, Number
+from screwkit.algebra.expression import Expression
 from screwkit.algebra.names import did_you_mean
-from screwkit.algebra.parse import parse
 from screwkit.errors import (
-    ExpressionError,
     Fault,
     MechanismFileError,
     UnknownCaseError,
@@ -148,14 +146,17 @@ def load(
         UnknownNameError: If ``set_values``, ``actuated`` or ``variant`` name what is
             not there.
         ExpressionError: If a value is no constant expression.
+        UnfitValueError: If a value contradicts what the file demands of its symbols.
     """
+    from screwkit.kinematics.given_values import placed_at, with_numbers  # noqa: PLC0415
+
     path, referred = found(source)
-    mechanism = read_mechanism(path)
+    mechanism = read_mechanism(path, {*(set_values or ()), *(at or ())})
     chosen = variant if variant is not None else referred
     if chosen is not None:
         mechanism = at_variant(mechanism, _variant(mechanism, chosen))
     if set_values:
-        mechanism = _with_numbers(mechanism, set_values)
+        mechanism = with_numbers(mechanism, set_values)
     if actuated is not None:
         mechanism = _with_actuated(mechanism, actuated)
     _refuse_open_table(mechanism, path)
@@ -215,36 +216,6 @@ def _variant(mechanism: Mechanism, name: str) -> Variant:
     raise UnknownNameError(f"no variant {name!r} of {mechanism.name}{hint}")
 
 
-def _with_numbers(mechanism: Mechanism, values: Mapping[str, object]) -> Mechanism:
-    from screwkit.kinematics.values import with_values  # noqa: PLC0415
-
-    known = {p.name for p in mechanism.parameters} | set(mechanism.joint_variables)
-    expressions = {}
-    for name, value in values.items():
-        if name not in known:
-            hint = did_you_mean(name, known)
-            raise UnknownNameError(f"no symbol {name!r} in {mechanism.name}{hint}")
-        if name in mechanism.joint_variables:
-            raise UnknownNameError(
-                f"{name!r} is a joint variable; --set gives values to dimensions, "
-                f"--at to joint variables"
-            )
-        expressions[name] = parse(str(value), ())
-    for parameter in mechanism.parameters:
-        value = expressions.get(parameter.name)
-        if parameter.positive and isinstance(value, Number) and value.value <= 0:
-            raise UnknownNameError(
-                f"{parameter.name} is declared positive; {value.value} is not"
-            )
-    try:
-        return with_values(mechanism, expressions)
-    except ZeroDivisionError:
-        names = ", ".join(values)
-        raise ExpressionError(
-            f"{mechanism.name} divides by zero at these values of {names}"
-        ) from None
-
-
 def _with_actuated(mechanism: Mechanism, actuated: Sequence[str]) -> Mechanism:
     known = dict.fromkeys(actuable_freedoms(mechanism))
     wanted = frozenset(actuated)
@@ -293,33 +264,6 @@ def _driven(joint: Joint, actuated: frozenset[str]) -> Joint:
         if freedom_label(joint, index) in actuated
     )
     return replace(joint, actuated=driven)
-
-
-def placed_at(
-    mechanism: Mechanism, values: Mapping[str, object]
-) -> tuple[Mechanism, dict[str, Expression]]:
-    """The mechanism at a posture, and the values to which it has still to be moved.
-
-    Raises:
-        UnknownNameError: If a name is neither a joint variable nor a symbol.
-        ExpressionError: If a value is no expression in the symbols of the file.
-    """
-    from screwkit.kinematics.placement import why_tied  # noqa: PLC0415
-    from screwkit.kinematics.values import with_values  # noqa: PLC0415
-
-    joints = set(mechanism.joint_variables)
-    symbols = tuple(p.name for p in mechanism.parameters if p.name not in values)
-    known = {p.name for p in mechanism.parameters} | joints
-    held: dict[str, Expression] = {}
-    wanted: dict[str, Expression] = {}
-    moves = mechanism.geometry == "posture" or bool(why_tied(mechanism))
-    for name, value in values.items():
-        if name not in known:
-            hint = did_you_mean(name, known)
-            raise UnknownNameError(f"no symbol {name!r} in {mechanism.name}{hint}")
-        target = wanted if name in joints and moves else held
-        target[name] = parse(str(value), symbols)
-    return with_values(mechanism, held), wanted
 
 
 def _refuse_open_table(mechanism: Mechanism, path: Path) -> None:

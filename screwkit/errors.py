@@ -70,6 +70,10 @@ class UnknownNameError(ScrewkitError):
     """A joint, symbol or limb that the mechanism does not have was named."""
 
 
+class UnfitValueError(ScrewkitError):
+    """A value given from outside contradicts what the file demands of its symbols."""
+
+
 class UndecidedError(ScrewkitError):
     """The question is open; the message says why and what would help."""
 

@@ -6,6 +6,7 @@ reading goes on after a fault so that one run finds them all.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from screwkit.algebra.expression import ONE, ZERO, Expression
@@ -20,6 +21,7 @@ from screwkit.mechanism.geometry_checks import (
 )
 from screwkit.mechanism.limb_names import check_limb_names
 from screwkit.mechanism.model import (
+    Demand,
     Joint,
     JointType,
     MdhRow,
@@ -34,7 +36,7 @@ from screwkit.mechanism.nodes import (
 from screwkit.mechanism.places import read_places, read_pose
 from screwkit.mechanism.reading import Reading
 from screwkit.mechanism.schema import MdhEntry, MechanismEntry
-from screwkit.mechanism.structure import Draft
+from screwkit.mechanism.structure import Draft, subject
 from screwkit.mechanism.symbols import (
     default_variables,
     read_parameters,
@@ -44,14 +46,23 @@ from screwkit.mechanism.variants import check_values, read_variants
 from screwkit.mechanism.weight_checks import check_weights
 
 
-def assembled(draft: Draft, faults: Faults) -> Mechanism:
-    """The mechanism; of use only where ``faults`` stays empty."""
+def assembled(
+    draft: Draft, faults: Faults, replaced: frozenset[str] = frozenset()
+) -> Mechanism:
+    """The mechanism; of use only where ``faults`` stays empty.
+
+    Args:
+        draft: What is right in the structure of the file.
+        faults: Gets what is wrong.
+        replaced: Symbols whose values come from outside.
+    """
     entry = draft.entry
     reading = Reading(
         draft.root,
         faults,
         lost=draft.lost_names | _variables_of_lost(draft),
         planar=entry.space == "planar",
+        replaced=replaced,
     )
     check_links(draft, reading)
     written = read_parameters(draft, reading)
@@ -92,11 +103,13 @@ def assembled(draft: Draft, faults: Faults) -> Mechanism:
         scheme_order=order,
         known_for=_line(entry.known_for, ("known_for",), reading),
         variants=read_variants(draft, written, reading),
+        written=written.written,
     )
-    check_values(parameters, mechanism.variants, reading)
+    check_values(written, mechanism.variants, reading)
     check_weights(mechanism, draft, reading)
     check_limb_names(mechanism, draft, reading)
-    return mechanism
+    demands = (Demand(subject(draft.root, p), r) for p, r in reading.required)
+    return replace(mechanism, demands=tuple(demands))
 
 
 def check_links(draft: Draft, reading: Reading) -> None:

@@ -6,6 +6,7 @@ one `MechanismFileError` with all faults found, each at its line and column.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from pathlib import Path
 from typing import Final
 
@@ -22,8 +23,15 @@ LARGEST_FILE: Final = 4_000_000
 """Bytes."""
 
 
-def read_mechanism(path: str | Path) -> Mechanism:
+def read_mechanism(
+    path: str | Path, replaced: Collection[str] = frozenset()
+) -> Mechanism:
     """Read a mechanism file: JSON where the name ends so, else YAML.
+
+    Args:
+        path: The file.
+        replaced: Symbols that will get their values from outside: those of the file do
+            not matter, and nothing that rests on them is a fault of the file.
 
     Raises:
         MechanismFileError: If it cannot be read or anything in it is wrong.
@@ -37,11 +45,15 @@ def read_mechanism(path: str | Path) -> Mechanism:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or "no usable file name"
         raise _refused(source, f"cannot be read: {reason}") from None
-    return mechanism_from_bytes(content, source, json=source.lower().endswith(".json"))
+    is_json = source.lower().endswith(".json")
+    return mechanism_from_bytes(content, source, is_json, replaced)
 
 
 def mechanism_from_bytes(
-    content: bytes, source_name: str, json: bool = False
+    content: bytes,
+    source_name: str,
+    json: bool = False,
+    replaced: Collection[str] = frozenset(),
 ) -> Mechanism:
     """Read a mechanism from the bytes of a file.
 
@@ -61,16 +73,22 @@ def mechanism_from_bytes(
         column = len(last.decode("utf-8", errors="replace")) + 1
         fault = Fault(line, column, "not UTF-8 text; save the file as UTF-8")
         raise MechanismFileError(source_name, (fault,)) from None
-    return mechanism_from_text(text, source_name, json=json)
+    return mechanism_from_text(text, source_name, json, replaced)
 
 
-def mechanism_from_text(text: str, source_name: str, json: bool = False) -> Mechanism:
+def mechanism_from_text(
+    text: str,
+    source_name: str,
+    json: bool = False,
+    replaced: Collection[str] = frozenset(),
+) -> Mechanism:
     """Read a mechanism from text.
 
     Args:
         text: YAML, or JSON where ``json`` says so.
         source_name: What faults call the text.
         json: Whether the text is JSON.
+        replaced: See `read_mechanism`.
 
     Raises:
         MechanismFileError: If anything is wrong; holds all faults in file order.
@@ -82,7 +100,9 @@ def mechanism_from_text(text: str, source_name: str, json: bool = False) -> Mech
     mechanism = None
     if root is not None:
         draft = draft_of(root, faults)
-        mechanism = assembled(draft, faults) if draft is not None else None
+        mechanism = (
+            assembled(draft, faults, frozenset(replaced)) if draft is not None else None
+        )
     elif not faults.found:
         faults.add(None, "the file is empty; start it with `screwkit: 1`")
     if faults.found or mechanism is None:

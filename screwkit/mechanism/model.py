@@ -14,6 +14,7 @@ from functools import cached_property
 from typing import Any, Literal, TypeAlias
 
 from screwkit.algebra.expression import ZERO, Expression, Symbol
+from screwkit.mechanism.requirements import Requirement
 
 VectorExpression: TypeAlias = tuple[Expression, Expression, Expression]
 Space: TypeAlias = Literal["spatial", "planar"]
@@ -140,8 +141,7 @@ class Variant:
     Attributes:
         name: What `load` and the commands call it.
         title: In words; the name where the file gives none.
-        values: Closed expressions that replace those of the parameters, with those
-            that follow from them where a parameter's value is computed from others.
+        values: Closed expressions that replace those of the parameters.
         claims: In the place of the file's own.
     """
 
@@ -149,6 +149,18 @@ class Variant:
     title: str
     values: Mapping[str, Expression]
     claims: tuple[Claim, ...] = ()
+
+
+@dataclass(frozen=True)
+class Demand:
+    """What must hold at every value of the symbols, also at those from outside.
+
+    Attributes:
+        where: What of the file demands it, ``joint 'A', axis``.
+    """
+
+    where: str
+    requirement: Requirement
 
 
 @dataclass(frozen=True)
@@ -178,6 +190,8 @@ class Mechanism:
             the order of the weights.
         known_for: What the mechanism is known for, in one line.
         variants: The same mechanism at other values, as the file lists them.
+        written: Values as the file writes them, in which other symbols may occur.
+        demands: What depends on symbols and must hold at their values.
     """
 
     name: str
@@ -203,6 +217,8 @@ class Mechanism:
     scheme_order: tuple[str, ...] = ()
     known_for: str = ""
     variants: tuple[Variant, ...] = ()
+    written: Mapping[str, Expression] = field(default_factory=dict)
+    demands: tuple[Demand, ...] = ()
 
     def joint(self, name: str) -> Joint:
         """The joint of that name.

@@ -42,6 +42,7 @@ class Reading:
         lost: Names whose declaration is at fault.
         planar: Whether points may have two components.
         required: What must hold at the values too, and where it is written.
+        replaced: Symbols that get their values from outside, in place of the file's.
     """
 
     root: Node
@@ -51,6 +52,7 @@ class Reading:
     lost: frozenset[str] = frozenset()
     planar: bool = False
     required: list[tuple[Path, Requirement]] = field(default_factory=list)
+    replaced: frozenset[str] = frozenset()
     _asked: int = 0
     _met: set[Requirement] = field(default_factory=set)
     _read: dict[tuple[str, frozenset[str]], Expression] = field(default_factory=dict)

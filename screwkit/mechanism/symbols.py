@@ -46,7 +46,7 @@ def read_parameters(draft: Draft, reading: Reading) -> Declared:
         if entry.value is not None:
             text_path = _value_path(path, reading)
             value = reading.scalar(text_path, entry.value, names)
-            if value is not None:
+            if value is not None and name not in reading.replaced:
                 raw[name] = value
     values = _closed(raw, entries, reading)
     found = []
@@ -97,8 +97,10 @@ def _closed(
 ) -> dict[str, Expression]:
     """The values with parameters put in for their names; faults where none come out."""
     closed, divided = closed_values_of(raw)
+    needs = {name: symbols_of(value) for name, value in raw.items()}
+    waiting = depending_on(reading.replaced, needs)
     for name, value in raw.items():
-        if name in closed or name in divided:
+        if name in closed or name in divided or name in waiting:
             continue
         missing = sorted(symbols_of(value) - closed.keys())
         path = _value_path(entries[name][0], reading)
@@ -107,6 +109,16 @@ def _closed(
         elif missing[0] not in raw:
             reading.fault(path, f"{missing[0]!r} has no value to compute this one from")
     return closed
+
+
+def depending_on(
+    names: frozenset[str], needs: Mapping[str, frozenset[str]]
+) -> frozenset[str]:
+    """The names whose values need one of ``names``, directly or through others."""
+    found = names
+    while more := {name for name, needed in needs.items() if needed & found} - found:
+        found |= more
+    return found
 
 
 def closed_values_of(

@@ -15,7 +15,7 @@ from screwkit.algebra.expression import Expression
 from screwkit.algebra.expression_building import symbols_of
 from screwkit.algebra.names import shown
 from screwkit.mechanism.claim_entries import read_claims
-from screwkit.mechanism.model import Mechanism, Parameter, Variant
+from screwkit.mechanism.model import Mechanism, Variant
 from screwkit.mechanism.nodes import Path
 from screwkit.mechanism.reading import Reading
 from screwkit.mechanism.schema import VariantEntry
@@ -67,7 +67,8 @@ def _values(
             )
         else:
             own[symbol] = value
-    return _changed(own, name, declared, reading)
+    _check_changed(own, name, declared, reading)
+    return own
 
 
 def _stranger(symbol: str, known: set[str], reading: Reading) -> str:
@@ -79,12 +80,11 @@ def _stranger(symbol: str, known: set[str], reading: Reading) -> str:
     return f"variants: unknown symbol {shown(symbol)}{reading.nearest(symbol, known)}"
 
 
-def _changed(
+def _check_changed(
     own: dict[str, Expression], name: str, declared: Declared, reading: Reading
-) -> dict[str, Expression]:
-    """The variant's values, with those of parameters that are computed from them."""
+) -> None:
+    """Check the variant's values, and those of parameters computed from them."""
     closed, _ = closed_values_of({**declared.written, **own})
-    values = dict(own)
     for parameter in declared.parameters:
         symbol = parameter.name
         path: Path = ("variants", name, "values")
@@ -92,16 +92,14 @@ def _changed(
             path = (*path, symbol)
         elif closed.get(symbol) in {None, parameter.value}:
             continue
-        values[symbol] = closed[symbol]
-        check_assumptions(replace(parameter, value=values[symbol]), path, reading)
-    return values
+        check_assumptions(replace(parameter, value=closed[symbol]), path, reading)
 
 
 def check_values(
-    parameters: Sequence[Parameter], variants: Sequence[Variant], reading: Reading
+    declared: Declared, variants: Sequence[Variant], reading: Reading
 ) -> None:
     """Report what fails at the values of the file, or of a variant alone."""
-    own = {p.name: p.value for p in parameters if p.value is not None}
+    own, _ = closed_values_of(declared.written)
     sound = []
     for path, requirement in reading.required:
         if requirement.fails_at(own):
@@ -111,23 +109,28 @@ def check_values(
     for variant in variants:
         holder: Path = ("variants", variant.name, "values")
         where = f" at the values of variant {variant.name!r}"
-        values = {**own, **variant.values}
+        values, _ = closed_values_of({**declared.written, **variant.values})
+        changed = {name for name, value in values.items() if own.get(name) != value}
         for path, requirement, symbols in sound:
-            if symbols & variant.values.keys() and requirement.fails_at(values):
+            if symbols & changed and requirement.fails_at(values):
                 what = f"{subject(reading.root, path)}: {requirement.message(where)}"
                 reading.faults.add(reading.place(holder), what)
 
 
 def at_variant(mechanism: Mechanism, variant: Variant) -> Mechanism:
-    """The mechanism at the values of one of its variants, with that one's claims."""
+    """The mechanism at the values of one of its variants, with that one's claims.
+
+    The value of a parameter that is computed from others follows.
+    """
+    written = {**mechanism.written, **variant.values}
+    values, _ = closed_values_of(written)
     return replace(
         mechanism,
         title=": ".join(filter(None, (mechanism.title, variant.title))),
         parameters=tuple(
-            replace(
-                parameter, value=variant.values.get(parameter.name, parameter.value)
-            )
+            replace(parameter, value=values.get(parameter.name, parameter.value))
             for parameter in mechanism.parameters
         ),
         claims=variant.claims,
+        written=written,
     )
