@@ -7,7 +7,7 @@ from typing import Any, Final
 
 from screwkit import errors
 from screwkit.errors import MechanismFileError
-from screwkit.terminal import emit, emit_json, faulty, note, text_of
+from screwkit.terminal import emit, emit_json, faulty, line_of, note, text_of
 
 _TWO_LINES: Final = 80
 """Characters of a title in the list of cases."""
@@ -39,10 +39,11 @@ def check_case(
         joints = counted(counts["joints"], "joint")
         freedoms = counted(counts["freedoms"], "freedom")
         loops = counted(counts["loops"], "loop")
-        emit(
+        said = (
             f"{case}: right. {bodies}, {joints} with {freedoms}, {loops}; base "
-            f"{mechanism.base}, platform {mechanism.platform}\n"
+            f"{mechanism.base}, platform {mechanism.platform}"
         )
+        emit(line_of(said))
     return errors.EXIT_DONE
 
 

@@ -115,6 +115,14 @@ def text_of(result: Any) -> str:
     return render(answer_blocks(result), Page(bold=bold))
 
 
+def line_of(text: str) -> str:
+    """A sentence as the terminal shows it."""
+    from screwkit.reports.blocks import Words  # noqa: PLC0415
+    from screwkit.reports.text import inline  # noqa: PLC0415
+
+    return inline((Words(text),)) + "\n"
+
+
 def _refused(request: Request, refusal: Refused) -> int:
     """A refusal in words and its exit code."""
     match refusal.kind:
@@ -219,9 +227,20 @@ def emit_json(case: str, content: Mapping[str, Any]) -> None:
 
 def note(*lines: str) -> None:
     """Write lines to standard error."""
+    from screwkit.reports.printing import for_terminal  # noqa: PLC0415
+
     for line in lines:
-        sys.stderr.write(line.rstrip("\n") + "\n")
+        sys.stderr.write(for_terminal(line.rstrip("\n")) + "\n")
     sys.stderr.flush()
+
+
+def _status_line(text: str) -> Any:
+    """Text in which square brackets are no markup."""
+    from rich.text import Text  # noqa: PLC0415
+
+    from screwkit.reports.printing import printable  # noqa: PLC0415
+
+    return Text(printable(text))
 
 
 class Ticker:
@@ -240,7 +259,7 @@ class Ticker:
             return
         text = f"{_where(stage)}  {stage.elapsed:.0f} s"
         if sys.stderr.isatty():
-            self._status().update(text)
+            self._status().update(_status_line(text))
         elif (
             stage.name != self._last[0] or stage.elapsed > 2 * self._last[1] + _REFRESH
         ):

@@ -262,6 +262,26 @@ def test_check_takes_the_common_options(capsys: pytest.CaptureFixture[str]) -> N
     assert screwkit("check", "nao_t14", "--set", "nothing=1") == 2
 
 
+def test_nothing_that_is_printed_commands_the_terminal(
+    engine: Answering, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    evil = "\x1b[2J\u202ex"
+    text = (ROOT / "tests" / "mechanism" / "four_bar.yaml").read_text("utf-8")
+    path = tmp_path / f"{evil}.yaml"
+    path.write_text(text.replace("title: Planar", f"title: {evil!a} #"), "utf-8")
+    screwkit("check", str(path))
+    screwkit("check", str(tmp_path / evil / "none.yaml"))
+    engine.outcome = guard.Refused("file", "", str(path), (Fault(1, 1, evil),))
+    screwkit("mobility", "arm.yaml")
+    engine.outcome = guard.Refused("usage", evil)
+    screwkit("mobility", "arm.yaml")
+    engine.outcome = guard.Answered(replace(samples.MOBILITY, title=evil))
+    screwkit("mobility", "arm.yaml")
+    output, errors = capsys.readouterr()
+    assert output.startswith(f"{tmp_path}/ [2J x.yaml: right")
+    assert (output + errors).replace("\n", "").isprintable()
+
+
 def test_a_variant_reaches_the_job_with_its_case(engine: Answering) -> None:
     screwkit("mobility", "arm.yaml", "--variant", "short")
     assert (engine.jobs[0].case, engine.jobs[0].variant) == ("arm.yaml", "short")

@@ -10,7 +10,6 @@ from dataclasses import replace
 from typing import Any
 
 from screwkit.algebra.expression import ONE, ZERO, Expression
-from screwkit.algebra.names import shown
 from screwkit.algebra.vector_expression import VectorExpression
 from screwkit.mechanism.actuation import read_actuation, read_weights
 from screwkit.mechanism.claim_entries import read_claims
@@ -27,6 +26,7 @@ from screwkit.mechanism.model import (
     MdhRow,
     Mechanism,
 )
+from screwkit.mechanism.name_checks import check_links, check_names
 from screwkit.mechanism.nodes import (
     Faults,
     Path,
@@ -64,6 +64,7 @@ def assembled(
         planar=entry.space == "planar",
         replaced=replaced,
     )
+    check_names(draft, reading)
     check_links(draft, reading)
     written = read_parameters(draft, reading)
     parameters = written.parameters
@@ -110,48 +111,6 @@ def assembled(
     check_limb_names(mechanism, draft, reading)
     demands = (Demand(subject(draft.root, p), r) for p, r in reading.required)
     return replace(mechanism, demands=tuple(demands))
-
-
-def check_links(draft: Draft, reading: Reading) -> None:
-    """Links and joints are named once; joints, base and platform name links."""
-    entry = draft.entry
-    links_known = "links" not in draft.broken
-    listed: set[str] = set()
-    for position, link in enumerate(entry.links):
-        if link in listed:
-            reading.fault(
-                ("links", position),
-                f"the link {shown(link)} stands twice; list every body once",
-            )
-        listed.add(link)
-    for key, link in (("base", entry.base), ("platform", entry.platform)):
-        if links_known and key not in draft.broken and link not in listed:
-            reading.fault((key,), reading.unknown_link(link, entry.links))
-    # A lone body is base and platform in one; anywhere else this is a slip.
-    same = entry.base == entry.platform and not draft.broken & {"base", "platform"}
-    if same and len(entry.links) > 1:
-        reading.fault(
-            ("platform",), "base and platform are the same link; name two bodies"
-        )
-    first: dict[str, int] = {}
-    for joint, position in zip(entry.joints, draft.positions, strict=True):
-        path: Path = ("joints", position)
-        if joint.name in first:
-            line = reading.place(("joints", first[joint.name])).line
-            reading.fault(
-                (*path, "name"),
-                f"a joint of this name stands in line {line} already; rename one",
-            )
-        first.setdefault(joint.name, position)
-        for key, link in (("parent", joint.parent), ("child", joint.child)):
-            if links_known and link not in listed:
-                reading.fault((*path, key), reading.unknown_link(link, entry.links))
-        if joint.parent == joint.child:
-            reading.fault(
-                (*path, "child"),
-                f"the joint connects {shown(joint.parent)} to itself; parent and child "
-                f"are two bodies",
-            )
 
 
 def _variables_of_lost(draft: Draft) -> frozenset[str]:

@@ -181,10 +181,16 @@ def subject(root: Node, path: Path) -> str:
             node = find(root, ("joints", position, "name"))
             text = getattr(node, "text", None)
             own = f"joint {shown(text)}" if text else f"joint no. {position + 1}"
-            return ", ".join([own, *map(str, path[2:])])
+            return ", ".join([own, *map(_step, path[2:])])
         case (key, *rest):
-            return ", ".join([str(key), *map(str, rest)])
+            return ", ".join([str(key), *map(_step, rest)])
     return "the file"
+
+
+def _step(step: str | int) -> str:
+    """A key as it stands, in quotes where it has characters that do not show."""
+    text = str(step)
+    return text if text.isprintable() else shown(text)
 
 
 def _sentence(root: Mapping, fault: Any) -> tuple[Place, str]:

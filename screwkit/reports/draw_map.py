@@ -9,8 +9,8 @@ import math
 from collections.abc import Sequence
 
 from screwkit.errors import ScrewkitError
-from screwkit.reports.expressions import printable
 from screwkit.reports.figures import BLUE, FONT, ORANGE, Form, new_figure, written
+from screwkit.reports.printing import printable
 
 LEVELS = 24
 """Level lines of a map."""

@@ -15,7 +15,6 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any, Final
 
-from screwkit.reports.expressions import printable
 from screwkit.reports.figures import (
     ARMS,
     BLACK,
@@ -30,6 +29,7 @@ from screwkit.reports.figures import (
     written,
 )
 from screwkit.reports.panels import EllipseShape, Panel
+from screwkit.reports.printing import printable
 from screwkit.results.scene import BodyShape, JointShape, Point
 
 _STEPS: Final = 96

@@ -9,18 +9,13 @@ from __future__ import annotations
 from typing import Final
 
 from screwkit.reports.notation import factor_unicode, in_unicode, term_count
+from screwkit.reports.printing import HARD_SPACE, printable
 from screwkit.reports.spelling import SUPERSCRIPTS
 
 FEW: Final = 6
-HARD_SPACE: Final = "\u00a0"
 _ENDURED: Final = 4
 _OPERATORS: Final = "+−·=,;<>"
 _SHORT_BRACKET: Final = 48
-
-
-def printable(text: str) -> str:
-    """Text from a file without control characters, which a terminal would obey."""
-    return "".join(c if c.isprintable() else " " for c in text)
 
 
 def _is_long(text: str, terms: int, cap: int) -> bool:

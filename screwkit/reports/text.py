@@ -30,7 +30,8 @@ from screwkit.reports.blocks import (
     Text,
     Words,
 )
-from screwkit.reports.expressions import HARD_SPACE, expression, locus, printable
+from screwkit.reports.expressions import expression, locus
+from screwkit.reports.printing import HARD_SPACE, for_terminal, printable, strong
 
 WIDTH: Final = 100
 CAP: Final = 160
@@ -66,13 +67,12 @@ def render(blocks: Sequence[Block], page: Page | None = None) -> str:
             parts.append("")
         parts.append(text)
         previous = block
-    text = "\n".join(parts) + "\n" if parts else ""
-    return text.replace(HARD_SPACE, " ")
+    return for_terminal("\n".join(parts) + "\n") if parts else ""
 
 
 def inline(text: Text, page: Page | None = None) -> str:
     """A text on one line."""
-    return _inline(text, page or Page()).replace(HARD_SPACE, " ")
+    return for_terminal(_inline(text, page or Page()))
 
 
 def _inline(text: Text, page: Page) -> str:
@@ -104,15 +104,15 @@ def _span(span: Span, page: Page) -> str:
             return printable(text).replace(" - ", " − ").replace("*", "·")
         case Strong(text):
             text = printable(text)
-            return f"\x1b[1m{text}\x1b[0m" if page.bold else text
+            return strong(text) if page.bold else text
         case Math(text, terms):
             return expression(text, terms, page.cap)
         case Loci(factors):
             return locus(factors, page.cap)
         case Reference(_, number):
-            return number
+            return printable(number)
         case Citation(key, place):
-            return f"[{key}, {place}]" if place else f"[{key}]"
+            return printable(f"[{key}, {place}]" if place else f"[{key}]")
         case _:
             assert_never(span)
 
@@ -134,13 +134,14 @@ def _render(block: Block, page: Page) -> str:
         case Figure(_, caption, _):
             return _paragraph(f"picture: {_inline(caption, page)}", "  ", page)
         case Bibliography(entries):
-            return "\n".join(f"[{entry.key}]  {entry.text}" for entry in entries)
+            lines = (f"[{entry.key}]  {entry.text}" for entry in entries)
+            return "\n".join(map(printable, lines))
         case _:
             assert_never(block)
 
 
 def _heading(text: str, level: int, aside: str, page: Page) -> str:
-    shown = f"\x1b[1m{text}\x1b[0m" if page.bold else text
+    shown = strong(text) if page.bold else text
     indent = "  " * max(level - 1, 0)
     if not aside:
         return indent + shown
@@ -172,7 +173,7 @@ def _matrix(name: str, rows: tuple[tuple[str, ...], ...], page: Page) -> str:
         "[ " + _GAP.join(c.ljust(w) for c, w in zip(row, widths, strict=True)) + " ]"
         for row in cells
     ]
-    head = f"{name} = "
+    head = f"{printable(name)} = "
     return "\n".join(
         "    " + (head if index == 0 else " " * len(head)) + line
         for index, line in enumerate(lines)
@@ -251,7 +252,7 @@ def _listing(items: tuple[Condition, ...], indent: int, page: Page) -> str:
     where_width = max([*shorter, 24])
     lines: list[str] = []
     for item, place, value in zip(items, places, values, strict=True):
-        number = item.number.rjust(numbers) + _GAP if numbers else ""
+        number = printable(item.number).rjust(numbers) + _GAP if numbers else ""
         where = _wrapped(place, page.width - start) if place else [""]
         meaning, why = _inline(item.meaning, page), _inline(item.why, page)
         room = page.width - start - where_width - value_width - 5

@@ -9,7 +9,31 @@ from typing import Any
 import pytest
 from reports import samples
 
-from screwkit.reports.blocks import math
+from screwkit.reports.blocks import (
+    Bibliography,
+    Block,
+    Citation,
+    Column,
+    Condition,
+    Entry,
+    Figure,
+    Formula,
+    Heading,
+    Listing,
+    Loci,
+    Loose,
+    Math,
+    Matrix,
+    Paragraph,
+    Prose,
+    Reference,
+    Strong,
+    Table,
+    Words,
+    math,
+    words,
+)
+from screwkit.reports.printing import for_terminal, printable, strong
 from screwkit.reports.sections import CaseEntry, CaseList, answer_blocks
 from screwkit.reports.text import Page, inline, render
 from screwkit.results.singularities import Component, Solution
@@ -168,3 +192,38 @@ def test_a_screw_is_said_in_words_without_its_kind_twice() -> None:
     text = shown(replace(samples.SCREWS, platform=platform))
     assert "force  along axis 1" in text
     assert "force along" not in text
+
+
+EVIL = "a\x1b[31m\r\u202eb\ufdd0\x07"
+
+
+E = words(EVIL)
+
+
+@pytest.mark.parametrize(
+    "block",
+    [
+        Heading((Words(EVIL), Strong(EVIL)), 1, E),
+        Paragraph((Prose(EVIL), Loose(EVIL), Reference("x", EVIL), Citation(EVIL))),
+        Paragraph((Citation("x", EVIL), Math(EVIL), Loci(((EVIL, 2, 0),)))),
+        Formula(Loose(EVIL)),
+        Matrix(EVIL, ((EVIL, "0"),)),
+        Table((Column(E),), ((E,),), E),
+        Listing((Condition(EVIL, E, E, E, (E,), E),)),
+        Figure((), E, EVIL),
+        Bibliography((Entry(EVIL, EVIL),)),
+    ],
+    ids=lambda block: type(block).__name__,
+)
+@pytest.mark.parametrize("bold", [False, True])
+def test_no_block_lets_text_command_the_terminal(block: Block, bold: bool) -> None:
+    text = render([block], Page(bold=bold))
+    assert "b" in text
+    if bold:
+        text = text.replace("\x1b[1m", "").replace("\x1b[0m", "")
+    assert all(character.isprintable() for character in text.replace("\n", ""))
+
+
+def test_what_a_renderer_forgets_is_stopped_at_the_end() -> None:
+    assert for_terminal(f"{EVIL}\n") == "a [31m  b\x1b[1m \n"
+    assert for_terminal(strong(printable(EVIL))) == "\x1b[1ma [31m  b  \x1b[0m"
