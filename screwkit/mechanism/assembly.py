@@ -34,6 +34,7 @@ from screwkit.mechanism.nodes import (
     find,
 )
 from screwkit.mechanism.places import read_places, read_pose
+from screwkit.mechanism.plane_checks import check_table_plane, refuse_height
 from screwkit.mechanism.reading import Reading
 from screwkit.mechanism.schema import MdhEntry, MechanismEntry
 from screwkit.mechanism.structure import Draft, subject
@@ -81,6 +82,7 @@ def assembled(
         if check_kind(joint.type, path, draft, reading):
             check_joint(joint, path, draft, reading)
     check_antecedents(joints, draft.positions, draft, reading)
+    check_table_plane(joints, draft.positions, draft, reading)
     joints, order = read_actuation(joints, draft, reading)
     mechanism = Mechanism(
         name=entry.name,
@@ -199,4 +201,8 @@ def _reference_point(
 ) -> VectorExpression | None:
     if entry.reference_point is None:
         return None
-    return reading.vector(("reference_point",), entry.reference_point)
+    path: Path = ("reference_point",)
+    point = reading.vector(path, entry.reference_point)
+    if point is not None:
+        refuse_height(path, point, reading)
+    return point

@@ -22,6 +22,7 @@ from screwkit.mechanism.joints import (
 from screwkit.mechanism.model import Joint, JointType
 from screwkit.mechanism.nodes import Path, find
 from screwkit.mechanism.ordering import in_order_of_need
+from screwkit.mechanism.plane_checks import check_joint_plane
 from screwkit.mechanism.reading import Reading
 from screwkit.mechanism.requirements import Requirement, nonzero
 from screwkit.mechanism.structure import Draft
@@ -77,8 +78,11 @@ def check_joint(joint: Joint, path: Path, draft: Draft, reading: Reading) -> Non
     """Everything that can be said of one joint's geometry alone."""
     if "geometry" in draft.broken:
         return
+    planar = draft.entry.space == "planar"
     if draft.entry.geometry == "mdh":
         _check_row(joint, path, reading)
+        if planar and joint.mdh is None:
+            check_joint_plane(joint, path, reading)
         return
     if find(reading.root, (*path, "mdh")) is not None:
         reading.fault(
@@ -86,7 +90,6 @@ def check_joint(joint: Joint, path: Path, draft: Draft, reading: Reading) -> Non
             f"an mdh row belongs to `geometry: mdh`; this file is "
             f"{draft.entry.geometry!r}",
         )
-    planar = draft.entry.space == "planar"
     given = _GIVEN_IN_PLANE.get(joint.type, ()) if planar else ()
     words = CATALOGUE[joint.type].words
     for key in _NEEDED[joint.type]:
@@ -94,7 +97,7 @@ def check_joint(joint: Joint, path: Path, draft: Draft, reading: Reading) -> Non
             reading.fault(path, f"the key {key!r} is missing; a {words} needs it")
     _check_directions(joint, path, reading)
     if planar:
-        _check_plane(joint, path, reading)
+        check_joint_plane(joint, path, reading)
 
 
 def _check_row(joint: Joint, path: Path, reading: Reading) -> None:
@@ -146,20 +149,6 @@ def _check_directions(joint: Joint, path: Path, reading: Reading) -> None:
 
 def _direction(what: str, direction: VectorExpression) -> Requirement:
     return nonzero(direction, f"{what} is zero", "write a direction such as [0, 0, 1]")
-
-
-def _check_plane(joint: Joint, path: Path, reading: Reading) -> None:
-    """In a planar file rotations are about z, everything else lies in the plane."""
-    about_z = joint.type in {JointType.REVOLUTE, JointType.PLANAR}
-    directions = (
-        *(("axis", axis) for axis in joint.axes),
-        *((("normal", joint.normal),) if joint.normal is not None else ()),
-    )
-    for key, (x, y, z) in directions:
-        out = (x, y) if about_z else (z,)
-        if any(is_zero(part) is False for part in out):
-            where = "along z" if about_z else "in the xy plane"
-            reading.fault((*path, key), f"in a planar file this direction is {where}")
 
 
 def check_antecedents(

@@ -31,6 +31,7 @@ from screwkit.algebra.vector_expression import (
 from screwkit.mechanism.model import Pose
 from screwkit.mechanism.nodes import Path, find
 from screwkit.mechanism.ordering import in_order_of_need
+from screwkit.mechanism.plane_checks import check_pose_plane, refuse_height
 from screwkit.mechanism.reading import Reading
 from screwkit.mechanism.requirements import nonzero
 from screwkit.mechanism.schema import RotationEntry, VectorEntry
@@ -69,7 +70,8 @@ def read_pose(draft: Draft, reading: Reading) -> Pose | None:
         reading.vouch(part for row in rotation or () for part in row)
     if translation is None or rotation is None:
         return None
-    return Pose(translation, rotation)
+    pose = Pose(translation, rotation)
+    return pose if check_pose_plane(pose, reading) else None
 
 
 def _check_pose_is_used(draft: Draft, reading: Reading) -> None:
@@ -318,7 +320,11 @@ def _placed(
             f"{shown(draft.entry.platform)} has a pose: give base coordinates",
         )
         return None
-    if value is None or entry.link != draft.entry.platform or pose is None:
+    if value is None:
+        return None
+    if path[0] == "points" and refuse_height(inner, value, reading):
+        return None
+    if entry.link != draft.entry.platform or pose is None:
         return value
     turned = _turned(pose.rotation, value)
     if path[0] == "vectors":
