@@ -29,6 +29,7 @@ from screwkit.mechanism.model import (
     Variant,
     freedom_label,
 )
+from screwkit.mechanism.reading import Outside
 from screwkit.mechanism.variants import at_variant
 
 if TYPE_CHECKING:
@@ -151,7 +152,8 @@ def load(
     from screwkit.kinematics.given_values import placed_at, with_numbers  # noqa: PLC0415
 
     path, referred = found(source)
-    mechanism = read_mechanism(path, {*(set_values or ()), *(at or ())})
+    replaced = frozenset({*(set_values or ()), *(at or ())})
+    mechanism = read_mechanism(path, Outside(replaced, _why_no_place))
     chosen = variant if variant is not None else referred
     if chosen is not None:
         mechanism = at_variant(mechanism, _variant(mechanism, chosen))
@@ -164,6 +166,12 @@ def load(
     if at:
         mechanism, wanted = placed_at(mechanism, at)
     return Case(mechanism, wanted, path)
+
+
+def _why_no_place(question: str) -> str:
+    from screwkit.reports.claim_places import why_no_place  # noqa: PLC0415
+
+    return why_no_place(question)
 
 
 def found(source: str | Path) -> tuple[Path, str | None]:

@@ -35,7 +35,7 @@ from screwkit.mechanism.nodes import (
 )
 from screwkit.mechanism.places import read_places, read_pose
 from screwkit.mechanism.plane_checks import check_table_plane, refuse_height
-from screwkit.mechanism.reading import Reading
+from screwkit.mechanism.reading import Outside, Reading
 from screwkit.mechanism.schema import MdhEntry, MechanismEntry
 from screwkit.mechanism.structure import Draft, subject
 from screwkit.mechanism.symbols import (
@@ -48,14 +48,14 @@ from screwkit.mechanism.weight_checks import check_weights
 
 
 def assembled(
-    draft: Draft, faults: Faults, replaced: frozenset[str] = frozenset()
+    draft: Draft, faults: Faults, outside: Outside | None = None
 ) -> Mechanism:
     """The mechanism; of use only where ``faults`` stays empty.
 
     Args:
         draft: What is right in the structure of the file.
         faults: Gets what is wrong.
-        replaced: Symbols whose values come from outside.
+        outside: What is known beside the file.
     """
     entry = draft.entry
     reading = Reading(
@@ -63,7 +63,7 @@ def assembled(
         faults,
         lost=draft.lost_names | _variables_of_lost(draft),
         planar=entry.space == "planar",
-        replaced=replaced,
+        outside=outside or Outside(),
     )
     check_names(draft, reading)
     check_links(draft, reading)

@@ -23,6 +23,8 @@ def read_claims(
     found = []
     for question, claim in entries.items():
         path: Path = (*holder, question)
+        if reason := reading.outside.why_no_place(question):
+            reading.fault_at_key(path, f"{', '.join(map(str, holder))}: {reason}")
         tolerance = 0.0
         if claim.tolerance is not None:
             expression = reading.scalar((*path, "tolerance"), claim.tolerance, ())

@@ -6,7 +6,6 @@ one `MechanismFileError` with all faults found, each at its line and column.
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from pathlib import Path
 from typing import Final
 
@@ -16,6 +15,7 @@ from screwkit.mechanism.json_nodes import json_tree
 from screwkit.mechanism.model import Mechanism
 from screwkit.mechanism.nodes import Faults, find
 from screwkit.mechanism.nodes import Path as Path_
+from screwkit.mechanism.reading import Outside
 from screwkit.mechanism.structure import draft_of
 from screwkit.mechanism.yaml_nodes import yaml_tree
 
@@ -23,15 +23,12 @@ LARGEST_FILE: Final = 4_000_000
 """Bytes."""
 
 
-def read_mechanism(
-    path: str | Path, replaced: Collection[str] = frozenset()
-) -> Mechanism:
+def read_mechanism(path: str | Path, outside: Outside | None = None) -> Mechanism:
     """Read a mechanism file: JSON where the name ends so, else YAML.
 
     Args:
         path: The file.
-        replaced: Symbols that will get their values from outside: those of the file do
-            not matter, and nothing that rests on them is a fault of the file.
+        outside: What is known beside the file.
 
     Raises:
         MechanismFileError: If it cannot be read or anything in it is wrong.
@@ -46,14 +43,14 @@ def read_mechanism(
         reason = getattr(error, "strerror", None) or "no usable file name"
         raise _refused(source, f"cannot be read: {reason}") from None
     is_json = source.lower().endswith(".json")
-    return mechanism_from_bytes(content, source, is_json, replaced)
+    return mechanism_from_bytes(content, source, is_json, outside)
 
 
 def mechanism_from_bytes(
     content: bytes,
     source_name: str,
     json: bool = False,
-    replaced: Collection[str] = frozenset(),
+    outside: Outside | None = None,
 ) -> Mechanism:
     """Read a mechanism from the bytes of a file.
 
@@ -73,14 +70,14 @@ def mechanism_from_bytes(
         column = len(last.decode("utf-8", errors="replace")) + 1
         fault = Fault(line, column, "not UTF-8 text; save the file as UTF-8")
         raise MechanismFileError(source_name, (fault,)) from None
-    return mechanism_from_text(text, source_name, json, replaced)
+    return mechanism_from_text(text, source_name, json, outside)
 
 
 def mechanism_from_text(
     text: str,
     source_name: str,
     json: bool = False,
-    replaced: Collection[str] = frozenset(),
+    outside: Outside | None = None,
 ) -> Mechanism:
     """Read a mechanism from text.
 
@@ -88,7 +85,7 @@ def mechanism_from_text(
         text: YAML, or JSON where ``json`` says so.
         source_name: What faults call the text.
         json: Whether the text is JSON.
-        replaced: See `read_mechanism`.
+        outside: What is known beside the text.
 
     Raises:
         MechanismFileError: If anything is wrong; holds all faults in file order.
@@ -100,9 +97,7 @@ def mechanism_from_text(
     mechanism = None
     if root is not None:
         draft = draft_of(root, faults)
-        mechanism = (
-            assembled(draft, faults, frozenset(replaced)) if draft is not None else None
-        )
+        mechanism = assembled(draft, faults, outside) if draft is not None else None
     elif not faults.found:
         faults.add(None, "the file is empty; start it with `screwkit: 1`")
     if faults.found or mechanism is None:

@@ -7,7 +7,7 @@ something already reported is passed over in silence.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
@@ -32,6 +32,24 @@ _NUMBER: Final = re.compile(
 )
 
 
+def _may_be_anywhere(_question: str) -> str:
+    return ""
+
+
+@dataclass(frozen=True)
+class Outside:
+    """What is known beside a file while it is read.
+
+    Attributes:
+        replaced: Symbols that will get their values from outside: those of the file do
+            not matter, and nothing that rests on them is a fault of the file.
+        why_no_place: Why results have no such place as a claim names; empty if they do.
+    """
+
+    replaced: frozenset[str] = frozenset()
+    why_no_place: Callable[[str], str] = _may_be_anywhere
+
+
 @dataclass
 class Reading:
     """A file while its texts are being read.
@@ -42,7 +60,7 @@ class Reading:
         lost: Names whose declaration is at fault.
         planar: Whether points may have two components.
         required: What must hold at the values too, and where it is written.
-        replaced: Symbols that get their values from outside, in place of the file's.
+        outside: What is known beside the file.
     """
 
     root: Node
@@ -52,7 +70,7 @@ class Reading:
     lost: frozenset[str] = frozenset()
     planar: bool = False
     required: list[tuple[Path, Requirement]] = field(default_factory=list)
-    replaced: frozenset[str] = frozenset()
+    outside: Outside = Outside()
     _asked: int = 0
     _met: set[Requirement] = field(default_factory=set)
     _read: dict[tuple[str, frozenset[str]], Expression] = field(default_factory=dict)

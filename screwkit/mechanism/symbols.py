@@ -46,7 +46,7 @@ def read_parameters(draft: Draft, reading: Reading) -> Declared:
         if entry.value is not None:
             text_path = _value_path(path, reading)
             value = reading.scalar(text_path, entry.value, names)
-            if value is not None and name not in reading.replaced:
+            if value is not None and name not in reading.outside.replaced:
                 raw[name] = value
     values = _closed(raw, entries, reading)
     found = []
@@ -98,7 +98,7 @@ def _closed(
     """The values with parameters put in for their names; faults where none come out."""
     closed, divided = closed_values_of(raw)
     needs = {name: symbols_of(value) for name, value in raw.items()}
-    waiting = depending_on(reading.replaced, needs)
+    waiting = depending_on(reading.outside.replaced, needs)
     for name, value in raw.items():
         if name in closed or name in divided or name in waiting:
             continue

@@ -138,3 +138,58 @@ def test_a_value_that_follows_is_checked_too() -> None:
         MechanismFileError, match=r"22:13 .*'a - 4' is 0 at the .* 'wide'"
     ):
         mechanism_from_text(text, "slider")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (
+            "mobility.loop_rank",
+            "§mobility.loop_rnk",
+            r"expected: no 'loop_rnk' in mobility \(did you mean 'loop_rank'\?\); all",
+        ),
+        ("mobility.loop_rank", "§mobilty.loop_rank#a b", r"did you mean 'mobility'\?"),
+        ("mobility.loop_rank", "§mobility.loop_rank.x", "is a single value; there is"),
+        ("mobility.loop_rank", "§screws.limbs.left", "a list; a position from 0"),
+        (
+            "mobility.loop_rank",
+            "§''",
+            "no '' among the questions; allowed: mob",
+        ),
+        (
+            "mobility.topology.joints",
+            "§mobility.topology.joint",
+            r"variants, wide, expected: .* \(did you mean 'joints'\?\)",
+        ),
+    ],
+)
+def test_claims_on_places_that_no_result_has(
+    tmp_path: Path, old: str, new: str, message: str
+) -> None:
+    assert TEXT.count(old) == 1
+    before, _, after = TEXT.replace(old, new).partition("§")
+    place = f"{before.count(chr(10)) + 1}:{len(before) - before.rfind(chr(10))}"
+    path = tmp_path / "slider.yaml"
+    path.write_text(before + after, encoding="utf-8")
+    with pytest.raises(MechanismFileError, match=f"yaml:{place} .*{message}"):
+        load(path)
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "mobility.at_values.platform.motion_type",
+        "mobility.loop_rank#what a reader says (of it)",
+        "mobility#as a whole",
+        "screws.limbs.3.twist_details.0.kind",
+        "screws.actuation_wrenches.0.pitch",
+        "singularities.limb.0.components.1.solutions.0.values",
+        "schemes.reason",
+        "mobility.workings.0.value",
+        "manipulability.kinematic.finite",
+    ],
+)
+def test_claims_on_places_that_a_result_may_have(tmp_path: Path, question: str) -> None:
+    path = tmp_path / "slider.yaml"
+    path.write_text(TEXT.replace("mobility.loop_rank", f"{question!r}"), "utf-8")
+    assert load(path).claims[0].question == question
