@@ -7,7 +7,7 @@ reading goes on after a fault so that one run finds them all.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, Final
 
 from screwkit.algebra.expression import ONE, ZERO, Expression
 from screwkit.algebra.vector_expression import VectorExpression
@@ -46,6 +46,21 @@ from screwkit.mechanism.symbols import (
 from screwkit.mechanism.variants import check_values, read_variants
 from screwkit.mechanism.weight_checks import check_weights
 
+_WHY_CONSTANT: Final = {
+    "posture": (
+        "axes and points hold at the one posture that the file describes: describe it "
+        "by symbols under `variables`"
+    ),
+    "reference": (
+        "axes and points hold at joint variables 0, and the joints move them from there"
+    ),
+    "mdh": (
+        "what stands in a file is constant: a row adds the variable of its own joint "
+        "to theta (revolute) or r (prismatic) by itself"
+    ),
+}
+"""Why geometry cannot depend on joint variables, by the kind of file."""
+
 
 def assembled(
     draft: Draft, faults: Faults, outside: Outside | None = None
@@ -71,7 +86,9 @@ def assembled(
     parameters = written.parameters
     names = frozenset(parameter.name for parameter in parameters)
     variables = read_variables(draft, reading, names)
-    reading.names = names | {name for own in variables for name in own}
+    reading.names = names
+    reading.joint_variables = frozenset(name for own in variables for name in own)
+    reading.why_constant = _WHY_CONSTANT[entry.geometry]
     pose = read_pose(draft, reading)
     points, vectors = read_places(draft, reading, pose)
     joints = tuple(

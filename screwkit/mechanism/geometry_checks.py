@@ -90,6 +90,7 @@ def check_joint(joint: Joint, path: Path, draft: Draft, reading: Reading) -> Non
             f"an mdh row belongs to `geometry: mdh`; this file is "
             f"{draft.entry.geometry!r}",
         )
+    _check_offsets(joint, path, draft, reading)
     given = _GIVEN_IN_PLANE.get(joint.type, ()) if planar else ()
     words = CATALOGUE[joint.type].words
     for key in _NEEDED[joint.type]:
@@ -98,6 +99,20 @@ def check_joint(joint: Joint, path: Path, draft: Draft, reading: Reading) -> Non
     _check_directions(joint, path, reading)
     if planar:
         check_joint_plane(joint, path, reading)
+
+
+def _check_offsets(joint: Joint, path: Path, draft: Draft, reading: Reading) -> None:
+    """Only a table has a zero of its own that an offset could move."""
+    if any(is_zero(offset) is False for offset in joint.offsets):
+        at = {
+            "posture": "axes and points hold at the posture of the file",
+            "reference": "axes and points hold at joint variables 0",
+        }[draft.entry.geometry]
+        reading.fault(
+            (*path, "offset"),
+            f"an offset belongs to `geometry: mdh`; in this file {at}, and joint "
+            f"variables are measured from there",
+        )
 
 
 def _check_row(joint: Joint, path: Path, reading: Reading) -> None:

@@ -284,7 +284,7 @@ def _declared(draft: Draft, reading: Reading) -> dict[str, tuple[Group, VectorEn
             path = (group, name)
             if reason := why_no_symbol(name):
                 reading.fault_at_key(path, f"{group}: {reason}")
-            elif name in reading.names or name in found:
+            elif name in reading.names | reading.joint_variables or name in found:
                 what = found[name][0] if name in found else "symbols"
                 reading.fault_at_key(
                     path, f"{group}: {shown(name)} stands among the {what} already"

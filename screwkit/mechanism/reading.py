@@ -55,7 +55,9 @@ class Reading:
     """A file while its texts are being read.
 
     Attributes:
-        names: The declared symbols.
+        names: The declared symbols that expressions may use.
+        joint_variables: Those of the joints, which no dimension depends on.
+        why_constant: Why an expression cannot use one of them.
         vectors: The named points and vectors read so far.
         lost: Names whose declaration is at fault.
         planar: Whether points may have two components.
@@ -66,6 +68,8 @@ class Reading:
     root: Node
     faults: Faults
     names: frozenset[str] = frozenset()
+    joint_variables: frozenset[str] = frozenset()
+    why_constant: str = ""
     vectors: dict[str, VectorExpression] = field(default_factory=dict)
     lost: frozenset[str] = frozenset()
     planar: bool = False
@@ -175,6 +179,10 @@ class Reading:
                 continue
             if name in self.lost:
                 known = False
+            elif name in self.joint_variables:
+                known = False
+                words = f"{shown(name)} is a joint variable; {self.why_constant}"
+                self.fault(path, words, position)
             elif not text[position + len(name) :].lstrip().startswith("("):
                 known = False
                 near = self.nearest(name, {*allowed, *self.vectors, *RESERVED})

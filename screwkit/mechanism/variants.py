@@ -72,7 +72,7 @@ def _values(
 
 
 def _stranger(symbol: str, known: set[str], reading: Reading) -> str:
-    if symbol in reading.names:
+    if symbol in reading.joint_variables:
         return (
             f"variants: {symbol!r} is a joint variable; a variant changes parameters "
             f"and variables of the file"
