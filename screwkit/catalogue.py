@@ -28,7 +28,7 @@ def check_case(
         mechanism = _read(case, {k: v for k, v in changes.items() if v})
     except MechanismFileError as error:
         return faulty(case, error.source, error.faults, as_json=as_json)
-    from screwkit.reports.phrases import counted  # noqa: PLC0415
+    from screwkit.algebra.names import counted  # noqa: PLC0415
 
     counts = _counts(mechanism)
     if as_json:

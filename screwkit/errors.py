@@ -96,3 +96,11 @@ class FrameMismatchError(ScrewkitError):
 
 class MissingToolError(ScrewkitError):
     """A program that the answer needs is not installed; the message names it."""
+
+
+class UnwritableError(ScrewkitError):
+    """A file cannot be written."""
+
+    def __init__(self, path: object, error: OSError) -> None:
+        reason = (error.strerror or str(error)).lower()
+        super().__init__(f"cannot write {path}: {reason}")

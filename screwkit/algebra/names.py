@@ -56,6 +56,17 @@ def shown(text: str, limit: int = 40) -> str:
     return repr(cut)
 
 
+def counted(number: int, noun: str, plural: str = "") -> str:
+    """A number with its noun.
+
+    >>> counted(1, "loop"), counted(3, "loop"), counted(0, "freedom")
+    ('1 loop', '3 loops', 'no freedom')
+    """
+    if number == 0:
+        return f"no {noun}"
+    return f"{number} {noun if number == 1 else plural or noun + 's'}"
+
+
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """`` (did you mean 'x'?)`` for the nearest known name, or nothing.
 

@@ -36,8 +36,6 @@ _INSTEAD: Final = {
     "√": "sqrt(…)",
     "²": "^2",
     "³": "^3",
-    "[": "(",
-    "]": ")",
     "{": "(",
     "}": ")",
 }
@@ -101,6 +99,11 @@ def _cut(text: str) -> tuple[Token, ...]:
 def _stranger(character: str, position: int) -> ExpressionError:
     instead = _INSTEAD.get(character)
     hint = f"; write {instead}" if instead else ""
+    if character in "[]":
+        hint = (
+            "; coordinates cannot stand in an expression: name the vector, "
+            "u: [x, y, z], and write P + u"
+        )
     return ExpressionError(
         f"the character {shown(character)} is not in the grammar{hint}", position
     )

@@ -10,6 +10,7 @@ from dataclasses import replace
 from typing import Any, Final
 
 from screwkit.algebra.expression import ONE, ZERO, Expression
+from screwkit.algebra.names import counted
 from screwkit.algebra.vector_expression import VectorExpression
 from screwkit.mechanism.actuation import read_actuation, read_weights
 from screwkit.mechanism.claim_entries import read_claims
@@ -187,7 +188,10 @@ def _offsets(
     written: tuple[str, ...] = entry.offset or ()
     inner: Path = (*path, "offset")
     if written and len(written) != count:
-        reading.fault(inner, f"{len(written)} offsets for {count} freedoms")
+        reading.fault(
+            inner,
+            f"{counted(len(written), 'offset')} for {counted(count, 'freedom')}",
+        )
         return (ZERO,) * count
     is_list = not isinstance(find(reading.root, inner), Scalar)
     read = [

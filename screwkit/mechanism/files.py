@@ -13,7 +13,7 @@ from screwkit.errors import Fault, MechanismFileError
 from screwkit.mechanism.assembly import assembled
 from screwkit.mechanism.json_nodes import json_tree
 from screwkit.mechanism.model import Mechanism
-from screwkit.mechanism.nodes import Faults, find
+from screwkit.mechanism.nodes import Faults, Place, Scalar, find
 from screwkit.mechanism.nodes import Path as Path_
 from screwkit.mechanism.reading import Outside
 from screwkit.mechanism.structure import draft_of
@@ -60,15 +60,14 @@ def mechanism_from_bytes(
     if len(content) > LARGEST_FILE:
         raise _refused(source_name, f"larger than {LARGEST_FILE} bytes")
     if b"\0" in content:
-        raise _refused(source_name, "this is a binary file, not YAML or JSON")
+        before = content[: content.index(b"\0")]
+        fault = Fault(*_end_of(before), "this is a binary file, not YAML or JSON")
+        raise MechanismFileError(source_name, (fault,))
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        before = content[: error.start]
-        line = before.count(b"\n") + 1
-        last = before[before.rfind(b"\n") + 1 :]
-        column = len(last.decode("utf-8", errors="replace")) + 1
-        fault = Fault(line, column, "not UTF-8 text; save the file as UTF-8")
+        place = _end_of(content[: error.start])
+        fault = Fault(*place, "not UTF-8 text; save the file as UTF-8")
         raise MechanismFileError(source_name, (fault,)) from None
     return mechanism_from_text(text, source_name, json, outside)
 
@@ -95,11 +94,13 @@ def mechanism_from_text(
     faults = Faults()
     root = json_tree(text, faults) if json else yaml_tree(text, faults)
     mechanism = None
+    if isinstance(root, Scalar) and not root.text and not root.quoted:
+        root = None
     if root is not None:
         draft = draft_of(root, faults)
         mechanism = assembled(draft, faults, outside) if draft is not None else None
     elif not faults.found:
-        faults.add(None, "the file is empty; start it with `screwkit: 1`")
+        faults.add(Place(1, 1), "the file is empty; start it with `screwkit: 1`")
     if faults.found or mechanism is None:
         raise MechanismFileError(source_name, faults.sorted())
     return mechanism
@@ -117,6 +118,13 @@ def place_of(path: str | Path, keys: Path_) -> tuple[int, int]:
     root = json_tree(text, Faults()) if is_json else yaml_tree(text, Faults())
     node = None if root is None else find(root, keys)
     return (0, 0) if node is None else (node.place.line, node.place.column)
+
+
+def _end_of(content: bytes) -> tuple[int, int]:
+    """Line and column behind the last character."""
+    last = content[content.rfind(b"\n") + 1 :]
+    column = len(last.decode("utf-8", errors="replace")) + 1
+    return content.count(b"\n") + 1, column
 
 
 def _refused(source: str, message: str) -> MechanismFileError:

@@ -21,7 +21,7 @@ from screwkit.mechanism.nodes import (
     Sequence,
     unique_entries,
 )
-from screwkit.mechanism.yaml_nodes import DEEPEST
+from screwkit.mechanism.yaml_nodes import DEEPEST, TooDeepError
 
 _PIECE = re.compile(
     r"""[ \t\r\n]*
@@ -49,12 +49,11 @@ def json_tree(text: str, faults: Faults) -> Node | None:
         faults.add(place, f"not readable as JSON: {error.msg}")
         return None
     except RecursionError:
-        faults.add(None, f"nested deeper than {DEEPEST} levels")
-        return None
+        pass  # deeper than what is read here, which tells the place
     try:
         return _Reader(text, faults).root()
-    except RecursionError:
-        faults.add(None, f"nested deeper than {DEEPEST} levels")
+    except TooDeepError as error:
+        faults.add(error.place, f"nested deeper than {DEEPEST} levels")
         return None
 
 
@@ -81,7 +80,7 @@ class _Reader:
         """The node of the whole text.
 
         Raises:
-            RecursionError: If the text is nested too deeply.
+            TooDeepError: If the text is nested too deeply.
         """
         for match in _PIECE.finditer(self._text):
             node = self._read(match)
@@ -110,7 +109,7 @@ class _Reader:
             holder.key = (self._string(piece), place)
             return None
         if len(self._open) > DEEPEST:
-            raise RecursionError
+            raise TooDeepError(place)
         if kind == "bracket":
             self._open.append(_Open(place, [] if piece == "[" else None, []))
             return None

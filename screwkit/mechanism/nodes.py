@@ -71,14 +71,26 @@ Node: TypeAlias = Scalar | Sequence | Mapping
 
 @dataclass
 class Faults:
-    """The faults met so far; the only thing here that changes."""
+    """The faults met so far; the only thing here that changes.
+
+    Attributes:
+        settled: Where a node could not be read: what follows from it is no other fault.
+    """
 
     found: list[Fault] = field(default_factory=list)
+    settled: set[Place] = field(default_factory=set)
 
     def add(self, place: Place | None, message: str) -> None:
         """Note a fault at ``place``."""
+        if place in self.settled:
+            return
         line, column = (place.line, place.column) if place else (0, 0)
         self.found.append(Fault(line, column, message))
+
+    def settle(self, place: Place, message: str) -> None:
+        """Note the one fault of a node that could not be read."""
+        self.add(place, message)
+        self.settled.add(place)
 
     def sorted(self) -> tuple[Fault, ...]:
         """All faults by place, each once."""

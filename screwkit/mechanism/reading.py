@@ -27,6 +27,7 @@ _SOME: Final = 8
 """How many names a message lists."""
 _MOST_ASKED: Final = 50
 """How many names are looked for among all others: each takes a while."""
+_UNITS: Final = {"x": "[1, 0, 0]", "y": "[0, 1, 0]", "z": "[0, 0, 1]"}
 _NUMBER: Final = re.compile(
     r"(?P<above>-?[0-9]{1,15}(?:\.[0-9]{1,15})?)(?:/(?P<below>[0-9]{1,15}))?"
 )
@@ -120,7 +121,7 @@ class Reading:
     ) -> VectorExpression | None:
         """The vector at ``path``, from coordinates or an expression."""
         if isinstance(written, str):
-            if not self._are_known(path, written, self.names):
+            if not self._are_known(path, written, self.names, vector=True):
                 return None
             try:
                 vector = parse_vector(written, self.names, vectors=self.vectors)
@@ -171,7 +172,9 @@ class Reading:
                     fulfilled = self.require(path, requirement) and fulfilled
         return fulfilled
 
-    def _are_known(self, path: Path, text: str, allowed: frozenset[str]) -> bool:
+    def _are_known(
+        self, path: Path, text: str, allowed: frozenset[str], vector: bool = False
+    ) -> bool:
         """Report unknown names; those called like functions the parser explains."""
         known = True
         for name, position in names_in(text):
@@ -186,6 +189,8 @@ class Reading:
             elif not text[position + len(name) :].lstrip().startswith("("):
                 known = False
                 near = self.nearest(name, {*allowed, *self.vectors, *RESERVED})
+                if text == name and name in _UNITS and vector:
+                    near = f"; write {_UNITS[name]}"
                 self.fault(path, f"unknown name {shown(name)}{near}", position)
         return known
 

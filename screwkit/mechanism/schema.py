@@ -274,7 +274,7 @@ class MechanismEntry(_Entry):
     geometry: Literal["posture", "reference", "mdh"]
     base: Word
     platform: Word
-    links: tuple[Word, ...]
+    links: Annotated[tuple[Word, ...], Field(min_length=1)]
     parameters: dict[str, ParameterEntry] = Field(default_factory=dict)
     variables: dict[str, VariableEntry] = Field(default_factory=dict)
     points: dict[str, VectorEntry] = Field(default_factory=dict)

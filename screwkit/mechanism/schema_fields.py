@@ -68,18 +68,17 @@ def _formulas(value: object) -> tuple[str, ...]:
 def _vector(value: object) -> str | tuple[str, ...]:
     if isinstance(value, str) and value:
         return value
-    if (
-        not isinstance(value, list)
-        or len(value) not in (2, 3)
-        or not all(_is_text(item) for item in value)
-    ):
-        if isinstance(value, list):
-            raise PydanticCustomError(
-                "shape",
-                "a vector has three coordinates, but {count} were found",
-                {"count": len(value)},
-            )
+    if not isinstance(value, list):
         raise _wrong("a vector [x, y, z] or an expression of named ones", value)
+    if len(value) not in (2, 3):
+        raise PydanticCustomError(
+            "shape",
+            "a vector has three coordinates, but {count} found",
+            {"count": "one was" if len(value) == 1 else f"{len(value)} were"},
+        )
+    for letter, item in zip("xyz", value, strict=False):
+        if not _is_text(item):
+            raise _wrong(f"an expression for {letter}", item)
     return tuple(value)
 
 
@@ -109,6 +108,8 @@ def _freedoms(value: object) -> bool | tuple[int, ...]:
 
 
 def _version(value: object) -> int:
+    if not _is_text(value):
+        raise _wrong("the version of the format, `screwkit: 1`,", value)
     if value != str(FORMAT_VERSION):
         raise PydanticCustomError(
             "version",

@@ -37,7 +37,7 @@ _STAND_INS: Final[dict[str, Any]] = {
     "geometry": "mdh",
     "base": "?",
     "platform": "?",
-    "links": [],
+    "links": ["?"],
     "joints": [],
 }
 _IN_FILES: Final = (
@@ -205,8 +205,9 @@ def _sentence(root: Mapping, fault: Any) -> tuple[Place, str]:
             holder = f"{subject(root, path[:-1])}: " if len(path) > 1 else ""
             key = str(path[-1])
             whose = "; the pose is that of the platform" if path[0] == "pose" else ""
+            near = _owners(path) or did_you_mean(key, options)
             return key_place_of(root, path), (
-                f"{holder}unknown key {shown(key)}{did_you_mean(key, options)}; "
+                f"{holder}unknown key {shown(key)}{near}; "
                 f"allowed: {', '.join(options)}{whose}"
             )
         case "union_tag_invalid" | "union_tag_not_found":
@@ -222,6 +223,10 @@ def _sentence(root: Mapping, fault: Any) -> tuple[Place, str]:
                 f"{subject(root, path)}: {shown(str(found))} is no name: up to 80 "
                 f"letters, digits, _ and -"
             )
+        case "too_short" if path == ("links",):
+            return place_of(root, path), (
+                "links: no body is listed; name every body once, the base included"
+            )
         case "too_short" | "too_long":
             return place_of(root, path), (
                 f"{subject(root, path)}: two entries are expected, but {len(found)} "
@@ -236,7 +241,8 @@ def _missing(root: Mapping, path: Path) -> str:
         return "the format version is missing; start the file with `screwkit: 1`"
     holder = f"{subject(root, path[:-1])}: " if len(path) > 1 else ""
     if isinstance(key, int):
-        return f"{holder}two entries are expected, but {key} stand here"
+        found = "one was found" if key == 1 else "none was found"
+        return f"{holder}two entries are expected, but {found}"
     return f"{holder}the key {key!r} is missing"
 
 
@@ -293,6 +299,16 @@ def _keys_of(path: Path, root: Mapping) -> list[str]:
                 return sorted(model.model_fields, key=_IN_FILES.index)
     model = _model_at(path, root)
     return list(model.model_fields) if model else []
+
+
+def _owners(path: Path) -> str:
+    """Which joints have the key that ends ``path``, where this one has it not."""
+    if path[0] != "joints" or len(path) != 3:
+        return ""
+    models = get_args(get_args(JointEntry)[0])
+    having = [model for model in models if path[-1] in model.model_fields]
+    owners = [name for model in having for name in _literals(model, "type")]
+    return f": it belongs to {', '.join(owners)} joints" if owners else ""
 
 
 def _literals(model: type[BaseModel], field: str) -> tuple[str, ...]:

@@ -13,7 +13,7 @@ from typing import Any
 from screwkit.algebra.closed_values import closed_value
 from screwkit.algebra.expression import Expression
 from screwkit.algebra.expression_building import substitute, symbols_of
-from screwkit.algebra.names import is_symbol, shown, why_no_symbol
+from screwkit.algebra.names import counted, is_symbol, shown, why_no_symbol
 from screwkit.mechanism.joints import CATALOGUE, variable_count
 from screwkit.mechanism.model import JointType, Parameter, Space
 from screwkit.mechanism.nodes import Path, find
@@ -203,7 +203,7 @@ def _names_of(
         words = CATALOGUE[joint_type].words
         reading.fault(
             path,
-            f"a {words} has {count} variables, but {len(entry.variable)} stand here",
+            f"a {words} has {counted(count, 'variable')}, not {len(entry.variable)}",
         )
         return default_variables(entry.name, position, count)
     for name in entry.variable:

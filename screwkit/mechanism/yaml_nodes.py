@@ -36,6 +36,18 @@ _READ_OTHERWISE: Final = re.compile("[\t?!\ufeff]|[|>]#")
 """Where the two parsers differ: tabs, keys after a question mark, tags, stray marks."""
 
 
+_ANYTHING: Final = "0"
+"""Stands for what an alias refers to: an expression, a coordinate and a name."""
+
+
+class TooDeepError(Exception):
+    """Something is nested too deeply to be read; `place` says where."""
+
+    def __init__(self, place: Place) -> None:
+        self.place = place
+        super().__init__(f"nested deeper than {DEEPEST} levels")
+
+
 class _UnsureError(Exception):
     """libyaml places an empty value elsewhere than PyYAML, which decides."""
 
@@ -52,6 +64,7 @@ def yaml_tree(text: str, faults: Faults) -> Node | None:
             with suppress(yaml.YAMLError, UnicodeError, _UnsureError):
                 root = _Composer(_FAST(text), found).document()
                 faults.found += found.found
+                faults.settled |= found.settled
                 return root
         return _Composer(yaml.SafeLoader(text), faults).document()
     except yaml.MarkedYAMLError as error:
@@ -62,8 +75,8 @@ def yaml_tree(text: str, faults: Faults) -> Node | None:
         line = before.count("\n") + 1
         place = Place(line, error.position - (before.rfind("\n") + 1) + 1)
         faults.add(place, "a character that is not printable stands here")
-    except RecursionError:
-        faults.add(None, f"nested deeper than {DEEPEST} levels")
+    except TooDeepError as error:
+        faults.add(error.place, f"nested deeper than {DEEPEST} levels")
     return None
 
 
@@ -94,18 +107,18 @@ class _Composer:
     def _node(self, event: Any, depth: int) -> Node:
         place = _place(event.start_mark)
         if isinstance(event, yaml.AliasEvent):
-            self._faults.add(
+            self._faults.settle(
                 place, f"aliases are not allowed (*{event.anchor}); write it out"
             )
-            return Scalar("", place, quoted=True, inner=None)
+            return Scalar(_ANYTHING, place, inner=None)
         if event.anchor is not None:
             self._faults.add(place, f"anchors are not allowed (&{event.anchor})")
         if event.tag is not None:
-            self._faults.add(
+            self._faults.settle(
                 place, f"tags are not allowed ({event.tag!r}); every scalar is text"
             )
         if depth >= DEEPEST:
-            raise RecursionError
+            raise TooDeepError(place)
         if isinstance(event, yaml.ScalarEvent):
             return _scalar(event, place)
         if isinstance(event, yaml.SequenceStartEvent):
@@ -146,6 +159,11 @@ def _explained(error: yaml.MarkedYAMLError) -> str:
         return "a tab stands where spaces are needed"
     if problem == "mapping values are not allowed here":
         problem += "; a text with a colon and a space in it needs quotes"
+    if problem.startswith("expected ',' or") and problem.endswith("got '['"):
+        problem += (
+            "; coordinates cannot stand in an expression: name the vector, "
+            "u: [x, y, z], and write P + u"
+        )
     context = f" ({error.context})" if error.context else ""
     return f"not readable as YAML: {problem}{context}"
 

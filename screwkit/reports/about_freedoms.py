@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from screwkit.algebra.names import counted
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -14,7 +15,7 @@ from screwkit.reports.blocks import (
     prose,
     words,
 )
-from screwkit.reports.phrases import counted, platform_called
+from screwkit.reports.phrases import platform_called
 from screwkit.results.mobility import (
     Connectivity,
     FullCycle,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from screwkit.algebra.names import counted
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -19,7 +20,7 @@ from screwkit.reports.blocks import (
     words,
 )
 from screwkit.reports.decimals import coordinates, decimal
-from screwkit.reports.phrases import counted, listed, platform_called
+from screwkit.reports.phrases import listed, platform_called
 from screwkit.results.manipulability import (
     Cooperative,
     Ellipsoid,

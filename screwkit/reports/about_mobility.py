@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from screwkit.algebra.names import counted
 from screwkit.reports.about_freedoms import (
     branch_blocks,
     class_sentence,
@@ -27,7 +28,7 @@ from screwkit.reports.blocks import (
     prose,
     words,
 )
-from screwkit.reports.phrases import counted, listed, platform_called, signed
+from screwkit.reports.phrases import listed, platform_called, signed
 from screwkit.results.mobility import (
     Actuation,
     AtPosture,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from screwkit.algebra.names import counted
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -21,7 +22,7 @@ from screwkit.reports.blocks import (
     words,
 )
 from screwkit.reports.notation import term_count
-from screwkit.reports.phrases import counted, listed
+from screwkit.reports.phrases import listed
 from screwkit.results.schemes import Scheme, Schemes
 
 SHOWN = 12

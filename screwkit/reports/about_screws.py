@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from screwkit.algebra.names import counted
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -17,7 +18,7 @@ from screwkit.reports.blocks import (
     prose,
     words,
 )
-from screwkit.reports.phrases import counted, listed, tuple_of
+from screwkit.reports.phrases import listed, tuple_of
 from screwkit.results.screws import (
     ActuationWrench,
     IdentifiedScrew,

@@ -6,6 +6,7 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import Final
 
+from screwkit.algebra.names import counted
 from screwkit.reports.blocks import (
     Block,
     Citation,
@@ -22,7 +23,6 @@ from screwkit.reports.blocks import (
     math,
     words,
 )
-from screwkit.reports.phrases import counted
 from screwkit.results.analysis import Description
 
 _SIGMA: Final = {"revolute": "0", "prismatic": "1", "fixed": "2"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from screwkit.algebra.names import counted
 from screwkit.reports.about_screws import (
     actuation_table,
     convention,
@@ -17,7 +18,6 @@ from screwkit.reports.blocks import (
     Text,
     words,
 )
-from screwkit.reports.phrases import counted
 from screwkit.results.screws import IdentifiedScrew, Screws
 
 

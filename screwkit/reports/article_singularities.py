@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from screwkit.algebra.names import counted
 from screwkit.reports.about_singularities import idle_place, meeting, verdict
 from screwkit.reports.blocks import (
     Block,
@@ -26,7 +27,6 @@ from screwkit.reports.conditions import (
     reads_well,
     solution_text,
 )
-from screwkit.reports.phrases import counted
 from screwkit.results.singularities import (
     ActuationSingularities,
     ConstraintSingularities,

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from screwkit.algebra.names import counted
 from screwkit.reports.blocks import (
     Condition,
     Math,
@@ -22,7 +23,7 @@ from screwkit.reports.blocks import (
     prose,
     words,
 )
-from screwkit.reports.phrases import counted, platform_called
+from screwkit.reports.phrases import platform_called
 from screwkit.results.singularities import Component, Singularities, Solution
 
 _LETTERS = re.compile(r"[A-Za-z_]\w*")

@@ -6,14 +6,23 @@ import os
 import tempfile
 from pathlib import Path
 
+from screwkit.errors import UnwritableError
+
 
 def write(path: Path, content: str | bytes) -> None:
     """Write a file in one step: readers see the old content or the new, no half.
 
     Raises:
-        OSError: If the folder cannot be written.
+        UnwritableError: If the folder cannot be made or the file not written.
     """
     data = content.encode() if isinstance(content, str) else content
+    try:
+        _replace(path, data)
+    except OSError as error:
+        raise UnwritableError(path, error) from None
+
+
+def _replace(path: Path, data: bytes) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     descriptor, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
     try:

@@ -7,17 +7,6 @@ from collections.abc import Iterable
 from screwkit.reports.blocks import Math, Span, Text, Words
 
 
-def counted(number: int, noun: str, plural: str = "") -> str:
-    """A number with its noun.
-
-    >>> counted(1, "loop"), counted(3, "loop"), counted(0, "freedom")
-    ('1 loop', '3 loops', 'no freedom')
-    """
-    if number == 0:
-        return f"no {noun}"
-    return f"{number} {noun if number == 1 else plural or noun + 's'}"
-
-
 def platform_called(name: str) -> str:
     """The platform by the reader's own name, where that reads as a word.
 

@@ -18,7 +18,7 @@ from screwkit.errors import ExpressionError
 from screwkit.mechanism.model import Mechanism
 from screwkit.progress import Progress, silent
 from screwkit.results.sweep import Extremum, Sweep
-from screwkit.sweeps.files import write_values
+from screwkit.sweeps.files import check_ending, write_values
 from screwkit.sweeps.grid import Axis, Grid, axis_of, grid_of
 from screwkit.sweeps.objective import objective_of
 from screwkit.sweeps.optimum import refined
@@ -76,6 +76,8 @@ def sweep_map(
     known = [p.name for p in mechanism.parameters] + list(mechanism.joint_variables)
     if not vary:
         raise ExpressionError("nothing is varied; give a range, --vary NAME=A:B:COUNT")
+    if output is not None:
+        check_ending(output)
     axes = tuple(axis_of(text, known) for text in vary)
     points = Samples(axes, samples) if samples else grid_of(axes)
     objective = objective_of(mechanism, index, tuple(axis.name for axis in axes))

@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 
 from screwkit.algebra.batch import Array
-from screwkit.errors import ScrewkitError
+from screwkit.errors import ScrewkitError, UnwritableError
 from screwkit.sweeps.grid import Grid
 from screwkit.sweeps.samples import Samples
 
@@ -34,10 +34,26 @@ def write_values(path: Path, points: Grid | Samples, index: str, values: Array) 
 
     Raises:
         ScrewkitError: If the ending is unknown.
-        OSError: If the file cannot be written.
+        UnwritableError: If the file cannot be written.
+    """
+    check_ending(path)
+    try:
+        _write(path, points, index, values)
+    except OSError as error:
+        raise UnwritableError(path, error) from None
+
+
+def check_ending(path: Path) -> None:
+    """Refuse what `write_values` would not write.
+
+    Raises:
+        ScrewkitError: If the ending is unknown.
     """
     if path.suffix not in ENDINGS:
         raise ScrewkitError(f"{path}: a sweep is written as {' or '.join(ENDINGS)}")
+
+
+def _write(path: Path, points: Grid | Samples, index: str, values: Array) -> None:
     folder = path.resolve().parent
     descriptor, name = tempfile.mkstemp(dir=folder, suffix=path.suffix)
     os.close(descriptor)

@@ -19,6 +19,7 @@ from typing import Protocol
 import numpy as np
 
 from screwkit.algebra.batch import Array
+from screwkit.errors import UnwritableError
 from screwkit.sweeps.objective import Objective
 
 CHUNK = 65_536
@@ -119,7 +120,11 @@ class _Store:
     name: str
 
     def known(self) -> dict[tuple[int, int], Array]:
-        """The chunks in the file; none if it belongs to another sweep."""
+        """The chunks in the file; none if it belongs to another sweep.
+
+        Raises:
+            UnwritableError: If there is none and none can be begun.
+        """
         found: dict[tuple[int, int], Array] = {}
         if self.path.exists():
             lines = self.path.read_text(encoding="utf-8").splitlines()
@@ -131,7 +136,10 @@ class _Store:
                         break
                     found[start, stop] = np.array([float.fromhex(x) for x in texts])
                 return found
-        self.path.write_text(self.name + "\n", encoding="utf-8")
+        try:
+            self.path.write_text(self.name + "\n", encoding="utf-8")
+        except OSError as error:
+            raise UnwritableError(self.path, error) from None
         return found
 
     def add(self, span: tuple[int, int], values: Array) -> None:
