@@ -6,7 +6,7 @@ computed once.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
@@ -145,13 +145,18 @@ def load(
         UnknownCaseError: If there is no such file and no such bundled case.
         MechanismFileError: If the file is wrong.
         UnknownNameError: If ``set_values``, ``actuated`` or ``variant`` name what is
-            not there.
+            not there, a freedom twice, or a second variant.
         ExpressionError: If a value is no constant expression.
         UnfitValueError: If a value contradicts what the file demands of its symbols.
     """
     from screwkit.kinematics.given_values import placed_at, with_numbers  # noqa: PLC0415
 
     path, referred = found(source)
+    if variant is not None and referred is not None:
+        raise UnknownNameError(
+            f"two variants are named: {str(source)!r} is variant {referred!r}, and "
+            f"{variant!r} is asked for; name one"
+        )
     replaced = frozenset({*(set_values or ()), *(at or ())})
     mechanism = read_mechanism(path, Outside(replaced, _why_no_place))
     chosen = variant if variant is not None else referred
@@ -192,14 +197,32 @@ def find(source: str | Path) -> Path:
     Raises:
         UnknownCaseError: If there is neither.
     """
+    name = str(source)
+    if not name.strip():
+        raise UnknownCaseError(
+            "the name of the case is empty; a file or a bundled case is expected "
+            "(`screwkit cases` lists them)"
+        )
     path = Path(source)
     if path.exists():
         return path
     bundled = {file.stem: file for file in _bundled_files()}
-    if str(source) in bundled:
-        return bundled[str(source)]
-    hint = did_you_mean(str(source), bundled)
-    raise UnknownCaseError(f"no file and no bundled case {str(source)!r}{hint}")
+    if name in bundled:
+        return bundled[name]
+    if path.suffix or path.name != name:
+        raise UnknownCaseError(f"no such file: {name!r}{_nearby(path, bundled)}")
+    hint = did_you_mean(name, bundled) or "; `screwkit cases` lists the bundled ones"
+    raise UnknownCaseError(f"no file and no bundled case {name!r}{hint}")
+
+
+def _nearby(path: Path, bundled: Collection[str]) -> str:
+    """The bundled case of that name, else the nearest file beside a missing one."""
+    if path.stem in bundled:
+        return f" (did you mean the bundled case {path.stem!r}?)"
+    if not path.parent.is_dir():
+        return f"; there is no folder {str(path.parent)!r}"
+    beside = [file.name for file in path.parent.iterdir() if file.suffix == path.suffix]
+    return did_you_mean(path.name, beside)
 
 
 def bundled_cases() -> list[str]:
@@ -220,13 +243,17 @@ def _variant(mechanism: Mechanism, name: str) -> Variant:
     known = {variant.name: variant for variant in mechanism.variants}
     if name in known:
         return known[name]
-    hint = did_you_mean(name, known) if known else "; it has none"
+    hint = did_you_mean(name, known)
+    if not hint:
+        hint = f"; it has {', '.join(known)}" if known else "; it has none"
     raise UnknownNameError(f"no variant {name!r} of {mechanism.name}{hint}")
 
 
 def _with_actuated(mechanism: Mechanism, actuated: Sequence[str]) -> Mechanism:
     known = dict.fromkeys(actuable_freedoms(mechanism))
     wanted = frozenset(actuated)
+    if twice := next((name for name in actuated if list(actuated).count(name) > 1), ""):
+        raise UnknownNameError(f"{twice!r} stands twice among the actuated freedoms")
     for name in actuated:
         if name not in known:
             hint = did_you_mean(name, known)

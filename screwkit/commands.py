@@ -40,7 +40,7 @@ from screwkit.options import (
     Vary,
     Workers,
 )
-from screwkit.requests import names_in, request_of, settings
+from screwkit.requests import freedoms_in, names_in, request_of, settings
 
 _EXAMPLE = """Mobility, singularities and actuation of mechanisms, derived exactly.
 
@@ -216,7 +216,9 @@ def schemes(
         "schemes",
         locals(),
         size=size,
-        candidates=None if candidates is None else list(names_in(candidates)),
+        candidates=None
+        if candidates is None
+        else list(freedoms_in("--candidates", candidates)),
     )
     from dataclasses import replace  # noqa: PLC0415
 

@@ -24,6 +24,9 @@ from screwkit.results.singularities import Singularities
 Delivery = Callable[[Any], list[str]]
 
 
+_TABLES = (".tex", ".csv", ".json", ".txt")
+
+
 def only_balanced(answer: Schemes) -> Schemes:
     """The same counts, listing only schemes with equal shares of every limb."""
     return replace(answer, schemes=tuple(s for s in answer.schemes if s.balanced))
@@ -38,7 +41,13 @@ def show_all(answer: Schemes | Singularities) -> str:
 
 
 def deliver_schemes(path: Path) -> Delivery:
-    """Write schemes by the ending of ``path``: .tex, .csv, .json, else text."""
+    """Write schemes by the ending of ``path``: .tex, .csv, .json or .txt.
+
+    Raises:
+        ScrewkitError: If the ending is none of these.
+    """
+    if path.suffix not in _TABLES:
+        raise ScrewkitError(f"{path}: schemes are written as {', '.join(_TABLES)}")
 
     def deliver(answer: Schemes) -> list[str]:
         from screwkit.reports.output import write  # noqa: PLC0415

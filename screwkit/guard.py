@@ -206,7 +206,7 @@ def _followed(
 
 def _cause(code: int, said: str, memory: int | None) -> str:
     """Why a child died, in words."""
-    limit = f" (limit {memory / 2**30:.1f} GB)" if memory else ""
+    limit = f" (limit {memory / 2**30:.2g} GB)" if memory else ""
     lowered = said.lower()
     if "memory" in lowered:
         return f"the exact computation ran out of memory{limit}"

@@ -6,6 +6,7 @@ Texts stay texts here: names and values are looked up where the file is read.
 from __future__ import annotations
 
 import sys
+from math import isfinite
 from typing import Any
 
 import typer
@@ -25,13 +26,16 @@ def request_of(question: str, given: dict[str, Any], **options: Any) -> Any:
     from screwkit.worker import Job  # noqa: PLC0415
 
     memory, actuated = given["memory"], given["actuated"]
+    for name in ("memory", "timeout"):
+        if given[name] is not None and not isfinite(given[name]):
+            raise typer.BadParameter(f"--{name} {given[name]} is no number of its unit")
     job = Job(
         question=question,
         case=given["case"],
         variant=given["variant"],
         set_values=settings("--set", given["set_values"]),
         at=settings("--at", given["at"]),
-        actuated=None if actuated is None else names_in(actuated),
+        actuated=None if actuated is None else freedoms_in("--actuated", actuated),
         options={name: value for name, value in options.items() if value is not None},
         memory=None if memory is None else int(memory * 2**30),
     )
@@ -51,10 +55,30 @@ def settings(option: str, texts: list[str] | None) -> dict[str, str]:
         name, sign, value = text.partition("=")
         if not sign or not name.strip() or not value.strip():
             raise typer.BadParameter(f"{option} {text!r} is not NAME=VALUE")
+        if name.strip() in found:
+            raise typer.BadParameter(f"{option} gives {name.strip()!r} two values")
         found[name.strip()] = value.strip()
     return found
 
 
 def names_in(text: str) -> tuple[str, ...]:
-    """Names parted by commas."""
+    """Names or numbers parted by commas."""
     return tuple(name.strip() for name in text.split(",") if name.strip())
+
+
+def freedoms_in(option: str, text: str) -> tuple[str, ...]:
+    """Freedoms parted by commas, each once.
+
+    Raises:
+        typer.BadParameter: If a name is empty or stands twice.
+    """
+    names = tuple(name.strip() for name in text.split(","))
+    for position, name in enumerate(names):
+        if not name:
+            raise typer.BadParameter(
+                f"{option} {text!r} has an empty name; write freedoms parted by "
+                f"commas, {option} 1,2,3"
+            )
+        if name in names[:position]:
+            raise typer.BadParameter(f"{option} {text!r} names {name!r} twice")
+    return names

@@ -105,6 +105,8 @@ def serve(source: IO[str], send: Callable[[Mapping[str, Any]], None]) -> None:
         send(_refusal("undecided", str(error)))
     except MemoryError:
         send(_refusal("undecided", "the exact computation ran out of memory"))
+    except ImportError as error:
+        send(_unloaded(error, job.memory))
     except errors.ScrewkitError as error:
         send(_refusal("usage", str(error)))
     except Exception as error:  # noqa: BLE001, RUF100 -- a defect is reported, not lost
@@ -114,6 +116,18 @@ def serve(source: IO[str], send: Callable[[Mapping[str, Any]], None]) -> None:
 
 def _refusal(kind: str, message: str, **more: Any) -> dict[str, Any]:
     return {"refusal": {"kind": kind, "message": message, **more}}
+
+
+def _unloaded(error: ImportError, memory: int | None) -> dict[str, Any]:
+    """A library that is missing is a defect; one that does not fit is not."""
+    if memory is None or isinstance(error, ModuleNotFoundError):
+        text = f"{type(error).__name__}: {error}"
+        return _refusal("defect", text, trace=traceback.format_exc())
+    return _refusal(
+        "undecided",
+        f"the libraries alone do not fit into {memory / 2**30:.2g} GB; "
+        f"raise the limit (--memory)",
+    )
 
 
 def _answer(job: Job, send: Callable[[Mapping[str, Any]], None]) -> Any:

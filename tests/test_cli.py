@@ -205,6 +205,29 @@ def test_refusals_have_their_codes(
         (["mobility", "nao_t14", "--set", "d3"], "is not NAME=VALUE"),
         (["mobility", "nao_t14", "--at", "q2"], "is not NAME=VALUE"),
         (["screws", "nao_t14", "--order", "odd"], "--order"),
+        (["mobility", "a.yaml", "--set", "a=1", "--set", "a=2"], "gives 'a' two val"),
+        (["mobility", "a.yaml", "--actuated", "A,B, A"], "names 'A' twice"),
+        (["mobility", "a.yaml", "--actuated", ""], "has an empty name"),
+        (["mobility", "a.yaml", "--actuated", "A,,B"], "has an empty name"),
+        (["schemes", "a.yaml", "--candidates", "A,"], "--candidates 'A,' has an empty"),
+        (["mobility", "a.yaml", "--memory", "inf"], "--memory inf is no number"),
+        (["mobility", "a.yaml", "--timeout", "inf"], "--timeout inf is no number"),
+        (["schemes", "a.yaml", "-o", "x.foo"], "written as .tex, .csv, .json, .txt"),
+        (["schemes", "a.yaml", "-o", "x"], "x: schemes are written as .tex, .csv"),
+        (["check", ""], "the name of the case is empty"),
+        (["check", "bad.yaml"], "no such file: 'bad.yaml'"),
+        (["check", "nao_t14.yaml"], "did you mean the bundled case 'nao_t14'?"),
+        (["check", "nowhere/a.yaml"], "there is no folder 'nowhere'"),
+        (
+            ["check", "3rpr_planar", "--variant", "x"],
+            "it has concurrent_legs, ",
+        ),
+        (["check", "nao_t14", "--set", "foo=3"], "no symbol 'foo' in nao_t14; it has "),
+        (["check", "nao_t14", "--set", "d3=foo"], "--set d3=foo: unknown name 'foo'"),
+        (
+            ["check", "five_bar#distal_collinear", "--variant", "stretched_leg"],
+            "two variants are named",
+        ),
     ],
 )
 @pytest.mark.usefixtures("engine")
@@ -242,6 +265,26 @@ def test_schemes_go_to_a_file(
     assert errors == f"wrote {path}\n"
     assert "1" in path.read_text(encoding="utf-8")
     assert [entry.name for entry in tmp_path.iterdir()] == [path.name]
+
+
+@pytest.mark.usefixtures("engine")
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("schemes", "nao_t14", "-o", "{}/a.csv"),
+        ("report", "nao_t14", "--format", "html", "-o", "{}/a.html"),
+        ("report", "nao_t14", "-o", "{}/a.tex"),
+    ],
+)
+def test_what_cannot_be_written_is_2_in_words(
+    words: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "file"
+    file.touch()
+    assert screwkit(*(word.format(file) for word in words)) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith(f"screwkit: cannot write {file}/a.")
+    assert "Errno" not in line
 
 
 @pytest.mark.usefixtures("engine")
@@ -459,6 +502,28 @@ def test_body_and_relative_to_reach_the_job(engine: Answering) -> None:
 def test_at_reaches_the_job(engine: Answering) -> None:
     screwkit("mobility", "nao_t14", "--at", "q4=0", "--at", "q9=-pi/3")
     assert engine.jobs[0].at == {"q4": "0", "q9": "-pi/3"}
+
+
+@needs_engine
+def test_memory_that_the_libraries_alone_need() -> None:
+    code, output, _ = asked("mobility", "bennett", "--memory", "0.1")
+    assert code == 1
+    assert "do not fit into 0.1 GB; raise the limit" in output or "memory" in output
+    assert "internal error" not in output
+
+
+@needs_engine
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--size", "99"), "schemes of 99 joints are asked for, but bennett has 4 can"),
+        (("--candidates", "A", "--size", "2"), "bennett has 1 candidate (A)"),
+    ],
+)
+def test_more_joints_than_candidates_is_2(words: tuple[str, ...], said: str) -> None:
+    code, output, errors = asked("schemes", "bennett", *words)
+    assert (code, output) == (2, "")
+    assert said in errors
 
 
 @needs_engine

@@ -14,6 +14,7 @@ from math import comb
 
 from screwkit.algebra.branches import restricted
 from screwkit.algebra.factors import Factor, Factored, factor
+from screwkit.algebra.names import counted
 from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.trigonometric import primitive
@@ -57,7 +58,8 @@ def schemes(
         progress: Told about each stage.
 
     Raises:
-        UnknownNameError: If a candidate is no joint of a limb.
+        UnknownNameError: If a candidate is no joint of a limb, or there are fewer of
+            them than a scheme has joints.
         TooLargeError: If there are more schemes than can sensibly be listed.
         UndecidedError: See `Assembly.refuse_blocks`.
     """
@@ -66,6 +68,8 @@ def schemes(
     wanted = system.generic_state(assembly.joints).platform_freedom
     number = wanted if size is None else size
     chosen = _candidates(assembly, candidates)
+    if number > len(chosen) and (size is not None or candidates is not None):
+        raise UnknownNameError(_too_few(assembly, chosen, number, size))
     total = comb(len(chosen), number)
     if total > LARGEST:
         raise TooLargeError(
@@ -230,6 +234,21 @@ def _candidates(
             known = ", ".join(driven)
             raise UnknownNameError(f"no joint {name!r} in a limb; there are {known}")
     return tuple(joint for joint in driven if joint in set(candidates))
+
+
+def _too_few(
+    assembly: Assembly, chosen: Sequence[str], number: int, size: int | None
+) -> str:
+    wanted = (
+        f"the platform has {counted(number, 'freedom')}, and schemes have as many"
+        if size is None
+        else f"schemes of {counted(size, 'joint')} are asked for"
+    )
+    among = counted(len(chosen), "candidate")
+    return (
+        f"{wanted}, but {assembly.mechanism.name} has {among} ({', '.join(chosen)}); "
+        f"give a smaller size (--size) or more of them (--candidates)"
+    )
 
 
 def _scheme(work: _Work, actuated: tuple[str, ...], state: PassiveState) -> Scheme:

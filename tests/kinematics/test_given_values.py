@@ -151,3 +151,8 @@ def test_the_commands_refuse_in_the_same_words(
     assert said == (
         "screwkit: --set a=0: 'a' is declared nonzero, but the value is 0\n"
     )
+
+
+def test_a_freedom_named_twice_is_refused() -> None:
+    with pytest.raises(UnknownNameError, match="'A' stands twice"):
+        load("bennett", actuated=["A", "B", "A"])

@@ -70,7 +70,8 @@ def out_of_plane(limb: Any) -> WrenchSystem:
     """The couples about x and y and the force along z, reciprocal to any plane twist."""
     one, zero = (limb.wrenches.ring.context.constant(n) for n in (1, 0))
     columns = tuple(
-        tuple(one if place == unit else zero for place in range(6)) for unit in (2, 3, 4)
+        tuple(one if place == unit else zero for place in range(6))
+        for unit in (2, 3, 4)
     )
     return WrenchSystem(limb.wrenches.ring, columns, limb.wrenches.frame)
 
