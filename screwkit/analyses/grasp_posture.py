@@ -149,7 +149,7 @@ def grasp_posture(
     if wanted or known.start is not None:
         there = arrival_at(numbers, wanted, known.start)
         if not there.found.closed:
-            raise UndecidedError(f"the posture was not reached: {there.found.reason}")
+            raise UndecidedError(f"the posture was not reached: {there.reason}")
         return known.arrived(there)
     variables = dict(known.variables)
     if mechanism.geometry != "posture":

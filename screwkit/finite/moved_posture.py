@@ -9,7 +9,8 @@ from math import atan2, isfinite
 from screwkit.algebra.evaluation import cosine_sine, evaluate
 from screwkit.algebra.expression import Expression
 from screwkit.errors import ExpressionError
-from screwkit.finite.loop_closure import ClosedMotion, moved_to
+from screwkit.finite.driven_motion import moved_to
+from screwkit.finite.loop_closure import ClosedMotion
 from screwkit.finite.posture_model import PostureModel, posture_model
 from screwkit.finite.posture_numbers import PostureNumbers, numbers_at
 from screwkit.kinematics.loops import ring_at
@@ -52,12 +53,14 @@ class Arrival:
         start: The mechanism where the motion starts.
         before: Joint variables there, where the file counts them.
         values: By joint variable where the motion ended, from the posture of the file.
+        reason: Why it ended before, in joint variables; empty where it did not.
     """
 
     found: ClosedMotion
     start: PostureModel
     before: Mapping[str, float]
     values: Mapping[str, float]
+    reason: str
 
 
 def moved_posture(
@@ -71,7 +74,7 @@ def moved_posture(
     """
     there = arrival_at(mechanism, wanted, start)
     found = there.found
-    return _report(mechanism, found.model, found.closed, found.reason, there.values)
+    return _report(mechanism, found.model, found.closed, there.reason, there.values)
 
 
 def arrival_at(
@@ -136,7 +139,12 @@ def arrival(
         if label in names:
             value = float(change) + before.get(names[label], 0.0)
             values[names[label]] = 0.0 if abs(value) < ROUNDING else value
-    return Arrival(found, model, before, values)
+
+    def spelled(label: str, value: float) -> str:
+        name = names[label]
+        return f"{name} = {value + before.get(name, 0.0):.6g}"
+
+    return Arrival(found, model, before, values, found.reason_in(spelled))
 
 
 def _report(

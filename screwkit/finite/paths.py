@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from math import isfinite, nan
 
 import numpy as np
 
-from screwkit.finite.loop_closure import ClosedMotion, assembled, followed, moved_to
+from screwkit.errors import UnfitValueError
+from screwkit.finite.driven_motion import followed, moved_to
+from screwkit.finite.loop_closure import ClosedMotion, assembled
 from screwkit.finite.posture_model import PostureModel, posture_model
 from screwkit.finite.table_search import closed_posture
 from screwkit.kinematics.network import Network
@@ -28,10 +31,11 @@ def assemble(
 
     Raises:
         UnknownNameError: If a label is no freedom, or a symbol has no value.
+        UnfitValueError: If a value is no finite number.
     """
     mechanism, model, start = _model(network)
     coordinates = np.zeros(len(model.labels))
-    for label, value in guess.items():
+    for label, value in _numbers(guess).items():
         index = model.index(label)
         coordinates[index] = value - start.get(label, 0.0)
     found = assembled(model, coordinates, fixed=tuple(fixed))
@@ -47,9 +51,12 @@ def move(network: Network, to: Mapping[str, float]) -> MotionPath:
 
     Raises:
         UnknownNameError: If a label is no freedom, or a symbol has no value.
+        UnfitValueError: If a value is no finite number.
     """
     mechanism, model, start = _model(network)
-    targets = {label: value - start.get(label, 0.0) for label, value in to.items()}
+    targets = {
+        label: value - start.get(label, 0.0) for label, value in _numbers(to).items()
+    }
     return _path(mechanism, model, start, moved_to(model, targets))
 
 
@@ -66,10 +73,34 @@ def follow(
 
     Raises:
         UnknownNameError: If a label is no freedom, or a symbol has no value.
+        UnfitValueError: If a value is no finite number.
         ValueError: If the loops allow none of the rates.
     """
     mechanism, model, start = _model(network)
-    return _path(mechanism, model, start, followed(model, heading, steps, stride))
+    _numbers({"stride": stride})
+    if stride <= 0 or steps < 0:
+        raise UnfitValueError(
+            f"{steps} steps of {stride:g} are no motion: steps from 0, each longer "
+            f"than 0, are expected"
+        )
+    found = followed(model, _numbers(heading), steps, stride)
+    return _path(mechanism, model, start, found)
+
+
+def _numbers(values: Mapping[str, float]) -> dict[str, float]:
+    """The values as finite numbers."""
+    found = {}
+    for label, value in values.items():
+        try:
+            found[label] = float(value)
+        except (TypeError, ValueError, OverflowError):
+            found[label] = nan
+        if not isfinite(found[label]):
+            raise UnfitValueError(
+                f"{label} = {value!r} is no finite number; radians or lengths of the "
+                f"file are expected"
+            )
+    return found
 
 
 def _model(network: Network) -> tuple[Mechanism, PostureModel, dict[str, float]]:
@@ -95,6 +126,10 @@ def _path(
     start: Mapping[str, float],
     found: ClosedMotion,
 ) -> MotionPath:
+
+    def spelled(label: str, value: float) -> str:
+        return f"{label} = {value + start.get(label, 0.0):.6g}"
+
     offsets = np.array([start.get(label, 0.0) for label in model.labels])
     postures = found.coordinates + offsets if len(found.coordinates) else []
     return MotionPath(
@@ -103,5 +138,5 @@ def _path(
         tuple(tuple(float(x) for x in posture) for posture in postures),
         found.closed,
         float(found.reached),
-        found.reason,
+        found.reason_in(spelled),
     )

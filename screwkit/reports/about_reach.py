@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from screwkit.algebra.names import counted
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -11,7 +12,7 @@ from screwkit.reports.blocks import (
     words,
 )
 from screwkit.reports.decimals import coordinates, decimal
-from screwkit.reports.phrases import counted, listed, platform_called
+from screwkit.reports.phrases import listed, platform_called
 from screwkit.results.manipulability import Manipulability
 from screwkit.results.reach import Reach
 

@@ -83,10 +83,19 @@ def test_the_four_bar_turns_as_trigonometry_says(text: str, angle: float) -> Non
 def test_the_four_bar_stops_where_coupler_and_rocker_are_in_line(angle: str) -> None:
     found = moved("four_bar_planar", qA=angle)
     assert not found.closed
-    assert "stays open by" in found.reason
     stop = FURTHEST - atan2(2, 1)
+    assert f"the mechanism turns back at qA = {stop:.6g}: a dead point" in found.reason
     last = dict(zip(found.variables, found.values, strict=True))["qA"]
-    assert 0.9 * stop < last <= stop + 1e-6
+    assert last == pytest.approx(stop, abs=1e-9)
+
+
+def test_angles_too_far_to_be_followed_are_refused(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert screwkit("mobility", "bennett", "--at", "qA=1e9") == 2
+    assert "A would move by 1e+09, too far to be followed" in capsys.readouterr().err
+    found, _ = reached("bennett", qA="4*pi + 1")
+    assert found.values[0] == pytest.approx(4 * pi + 1)
 
 
 def test_the_bennett_linkage_keeps_its_product_of_tangents() -> None:

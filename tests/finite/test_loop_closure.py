@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from finite.sample_linkages import ball, model, pins, ring, slide, turn
 
-from screwkit.errors import UnknownNameError
+from screwkit.errors import UnfitValueError, UnknownNameError
+from screwkit.finite.driven_motion import followed, moved_to
 from screwkit.finite.exponentials import misses, moved, rebased, stance_of
-from screwkit.finite.loop_closure import assembled, followed, moved_to
+from screwkit.finite.loop_closure import assembled
 from screwkit.finite.posture_model import PostureModel
 from screwkit.finite.spanning_forest import forest_of
 
@@ -108,17 +109,108 @@ def test_one_freedom_of_a_ball_joint_can_be_driven() -> None:
     assert gap(linkage, reached) < 1e-11
 
 
-def test_a_motion_stops_at_its_dead_centre() -> None:
+@pytest.mark.parametrize("size", [1.0, 1000.0])
+@pytest.mark.parametrize("beyond", [1e-6, 1e-3, 0.5])
+def test_a_motion_ends_at_its_dead_centre_and_says_where(
+    size: float, beyond: float
+) -> None:
     """The slider reaches crank + rod, and is not taken further."""
+    linkage = slider_crank(size, 2.5 * size)
+    most = (3.5 - np.sqrt(5.25)) * size
+    found = moved_to(linkage, {"P": most + beyond * size})
+    assert not found.closed
+    assert f"the mechanism turns back at P = {most:.6g}: a dead point" in found.reason
+    assert not found.reason.startswith("after 100%")
+    assert found.coordinates[-1, 3] == pytest.approx(most, abs=1e-12 * size)
+    assert found.coordinates[-1, 0] == pytest.approx(-np.pi / 2, abs=1e-6)
+    for coordinates in found.coordinates:
+        assert gap(linkage, coordinates) < 1e-11 * size
+
+
+@pytest.mark.parametrize("short", [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 0.0])
+def test_a_slider_comes_as_near_to_its_dead_centre_as_is_asked(short: float) -> None:
     linkage = slider_crank(1.0, 2.5)
     most = 3.5 - np.sqrt(5.25)
-    found = moved_to(linkage, {"P": 2.0})
-    assert not found.closed
-    assert found.reason.startswith("after ")
-    assert found.coordinates[-1, 3] == pytest.approx(most, abs=0.01)
-    assert found.coordinates[-1, 3] <= most + 1e-9
-    for coordinates in found.coordinates:
-        assert gap(linkage, coordinates) < 1e-11
+    found = moved_to(linkage, {"P": most - short})
+    assert found.closed
+    # The sine law near the dead centre: P falls by (1 + 1/2.5) A²/2.
+    expected = np.sqrt(2 * short / 1.4)
+    turned = found.coordinates[-1, 0] + np.pi / 2
+    assert turned == pytest.approx(expected, rel=0.01, abs=3e-6)
+
+
+def test_at_a_dead_point_no_motion_of_the_slider_begins() -> None:
+    there = moved_to(slider_crank(1.0, 2.5), {"A": -np.pi / 2}).model
+    for way in (0.1, -0.1):
+        found = moved_to(there, {"P": way})
+        assert (found.closed, found.reached) == (False, 0.0)
+        assert "the loops hold the mechanism at P = 0: no motion" in found.reason
+    assert moved_to(there, {"A": 0.3}).closed
+
+
+def four_bar(lengths: tuple[float, float, float, float], angle: float) -> np.ndarray:
+    """The pins where the crank stands at an angle and the coupler lies on its left."""
+    crank, coupler, rocker, ground = lengths
+    pin = crank * np.array([np.cos(angle), np.sin(angle)])
+    across = np.array([ground, 0.0]) - pin
+    reach = np.hypot(*across)
+    along = (coupler**2 - rocker**2 + reach**2) / (2 * reach)
+    height = np.sqrt(coupler**2 - along**2)
+    side = np.array([-across[1], across[0]])
+    joint = pin + (along * across + height * side) / reach
+    return np.array([(0, 0), pin, joint, (ground, 0)])
+
+
+@pytest.mark.parametrize("close", [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, -1e-4, -1e-6])
+@pytest.mark.parametrize("turn_by", [-3.0, 6.0, 2.0])
+def test_a_motion_keeps_to_its_assembly_where_the_other_is_near(
+    close: float, turn_by: float
+) -> None:
+    """Nearly a kite: where the crank lies on the ground the rocker is almost free."""
+    lengths = (1.0, 2.0, 2.0, 1.0 + close)
+    start, end = four_bar(lengths, 1.0), four_bar(lengths, 1.0 + turn_by)
+    found = moved_to(pins(2, [tuple(p) for p in start]), {"J0": turn_by})
+    assert found.closed, found.reason
+    (bx, by), (ax, ay) = end[2] - end[3], start[2] - start[3]
+    rocker = np.arctan2(by, bx) - np.arctan2(ay, ax)
+    assert np.exp(-1j * found.coordinates[-1, 3]) == pytest.approx(
+        np.exp(1j * rocker), abs=1e-6
+    )
+
+
+@pytest.mark.parametrize("close", [1e-4, 1e-6])
+def test_a_followed_motion_keeps_to_its_assembly_too(close: float) -> None:
+    lengths = (1.0, 2.0, 2.0, 1.0 + close)
+    start = four_bar(lengths, 1.0)
+    found = followed(pins(2, [tuple(p) for p in start]), {"J0": -1.0}, steps=70)
+    assert found.closed, found.reason
+    for coordinates in found.coordinates[::10]:
+        end = four_bar(lengths, 1.0 + coordinates[0])
+        (bx, by), (ax, ay) = end[2] - end[3], start[2] - start[3]
+        rocker = np.arctan2(by, bx) - np.arctan2(ay, ax)
+        assert np.exp(-1j * coordinates[3]) == pytest.approx(
+            np.exp(1j * rocker), abs=1e-6
+        )
+
+
+def test_a_true_kite_goes_straight_on_where_its_branches_meet() -> None:
+    """Behind the meeting the rocker still turns as before, not back."""
+    start = four_bar((1.0, 2.0, 2.0, 1.0), 1.0)
+    linkage = pins(2, [tuple(p) for p in start])
+    found = moved_to(linkage, {"J0": -2.5})
+    assert found.closed
+    rocker = found.coordinates[:, 3]
+    assert np.abs(np.diff(rocker)).max() < 0.2
+    assert (np.diff(rocker) * np.sign(rocker[1]) > 0).all()
+
+
+def test_targets_too_far_to_be_followed_are_refused() -> None:
+    with pytest.raises(UnfitValueError, match=r"J0 would move by 1e\+09, too far"):
+        moved_to(pins(2, FOUR_BAR), {"J0": 1e9})
+    with pytest.raises(UnfitValueError, match=r"P would move by 1e\+06, too far"):
+        moved_to(slider_crank(1.0, 2.5), {"P": 1e6})
+    chain = model("base", "tip", turn("a", "base", "tip", (0, 0, 1), (1, 0, 0)))
+    assert moved_to(chain, {"a": 1e9}).closed
 
 
 def test_what_cannot_close_is_not_returned_as_closed() -> None:

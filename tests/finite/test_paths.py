@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from math import cos, hypot, sin
+from math import cos, hypot, inf, nan, sin
+from typing import Any
 
 import numpy as np
 import pytest
 
 import screwkit as sk
-from screwkit.errors import UnknownNameError
+from screwkit.errors import UnfitValueError, UnknownNameError
 
 CRANK = sk.load("four_bar_planar")
 
@@ -75,3 +76,21 @@ def test_what_cannot_be_reached_is_said() -> None:
 def test_unknown_freedoms_are_refused() -> None:
     with pytest.raises(UnknownNameError, match="did you mean"):
         sk.move(CRANK, {"AA": 1.0})
+
+
+@pytest.mark.parametrize("value", [nan, inf, "x", None, [1.0], 10**400])
+def test_values_that_are_no_numbers_are_refused(value: float) -> None:
+    for ask in (sk.move, sk.assemble, sk.follow):
+        with pytest.raises(UnfitValueError, match=r"^A = .* is no finite number; rad"):
+            ask(CRANK, {"A": value})
+
+
+def test_steps_that_lead_nowhere_are_refused() -> None:
+    for steps, stride in ((40, 0.0), (-1, 0.1), (40, -0.1), (40, nan)):
+        with pytest.raises(UnfitValueError, match=r"stride|are no motion"):
+            sk.follow(CRANK, {"A": 1.0}, steps=steps, stride=stride)
+
+
+def test_numbers_of_other_kinds_are_taken() -> None:
+    quarter: Any = np.float32(0.25)
+    assert sk.move(CRANK, {"A": quarter}).last["A"] == 0.25

@@ -11,8 +11,8 @@ from finite.sample_linkages import ball, model
 from kinematics.arms import nao, nao_posture
 
 from screwkit.errors import UndecidedError, UnknownNameError
+from screwkit.finite.driven_motion import moved_to
 from screwkit.finite.finite_motion import finite_motion
-from screwkit.finite.loop_closure import moved_to
 from screwkit.finite.posture_model import PostureModel, posture_model
 from screwkit.finite.table_closure import close_table
 from screwkit.mechanism.files import mechanism_from_text, read_mechanism
