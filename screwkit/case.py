@@ -74,6 +74,22 @@ class Case:
         fault = Fault(*place_of(self.path, tuple(place)), message)
         return MechanismFileError(str(self.path), (fault,))
 
+    def need_held_platform(self) -> None:
+        """Refuse a platform that no limb connects with the base.
+
+        Raises:
+            MechanismFileError: If it hangs on nothing, and is not the base itself.
+        """
+        from screwkit.mechanism.graph import holding_joints  # noqa: PLC0415
+
+        base, platform = self.mechanism.base, self.mechanism.platform
+        if base != platform and not holding_joints(self.mechanism):
+            raise self.refuse(
+                ("platform",),
+                f"no limb holds the platform {platform!r}: connect it with the base, "
+                f"or name another body as platform",
+            )
+
     @property
     def claims(self) -> tuple[Claim, ...]:
         """The expected values that the file records."""

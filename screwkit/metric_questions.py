@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Literal
 
 from screwkit.algebra.expression import Expression
 from screwkit.case import Case
-from screwkit.errors import ScrewkitError
+from screwkit.errors import ScrewkitError, UndecidedError
 from screwkit.progress import Progress, silent
 from screwkit.results.manipulability import Manipulability
 from screwkit.results.reach import Reach
@@ -80,14 +80,14 @@ def reach(
 
 
 def _need_held(case: Case) -> None:
-    from screwkit.mechanism.graph import holding_joints  # noqa: PLC0415
-
-    if not holding_joints(case.mechanism):
-        raise case.refuse(
-            ("platform",),
-            f"no limb holds the platform {case.mechanism.platform!r}: connect it with "
-            f"the base, or name another body as platform",
+    """Refuse a platform that is not held, and one that is the base itself."""
+    base = case.mechanism.base
+    if base == case.mechanism.platform:
+        raise UndecidedError(
+            f"base and platform are one body, {base!r}: it has no velocity and no "
+            f"force of its own to be measured"
         )
+    case.need_held_platform()
 
 
 def _measure(length: str) -> Expression | None:

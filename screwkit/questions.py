@@ -132,6 +132,7 @@ def singularities(case: Case, progress: Progress = silent) -> Singularities:
     """Limb, constraint and actuation singularities in closed form."""
     from screwkit.analyses import singularities as analysis  # noqa: PLC0415
 
+    case.need_held_platform()
     _need_exact_posture(case)
     return analysis.singularities(case.assembly, progress=progress)
 
@@ -146,6 +147,7 @@ def schemes(
     """Every actuation scheme of a size, admissible or why not."""
     from screwkit.analyses import schemes as analysis  # noqa: PLC0415
 
+    case.need_held_platform()
     _need_exact_posture(case)
     return analysis.schemes(case.assembly, size, candidates, balanced, progress)
 

@@ -196,6 +196,8 @@ def _screw(at: Motion, systems: Sequence[LimbSystem]) -> tuple[int, Working]:
     names = _shortened([f"W_{system.limb.name}" for system in systems], " + ")
     if not systems:
         remark = "no limb connects base and platform"
+        if network.mechanism.base == network.mechanism.platform:
+            remark = "base and platform are one body"
         return at.mobility, Working("screws", f"{idle}", idle, remark)
     formula = f"{size} - dim({names}) = {size} - {held}"
     remark = ""

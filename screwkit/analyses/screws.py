@@ -300,6 +300,8 @@ def _platform(
         assembly.base_twists, limbs=tuple(limb.joints for limb in assembly.limbs)
     )
     ring = framed.ring
+    if assembly.mechanism.base == assembly.mechanism.platform:
+        return _at_rest(assembly, framed, writer)
     wrenches = span_of(ring, [limb.constraints for limb in limbs])
     named = {
         called: screw
@@ -317,6 +319,24 @@ def _platform(
     return PlatformScrews(
         twist_dimension=len(twists),
         twists=tuple(writer.twist(screw) for screw in twists),
+        wrench_dimension=len(wrenches),
+        wrenches=tuple(writer.wrench(screw) for screw in wrenches),
+    )
+
+
+def _at_rest(
+    assembly: Assembly, framed: FramedTwists, writer: ScrewWriter
+) -> PlatformScrews:
+    """A platform that is the base itself takes up every wrench and has no twist."""
+    columns = out_of_plane(assembly, twists=True)
+    wrenches = Finder(framed, assembly.mechanism.base).basis(
+        columns,
+        size_of(assembly),
+        lambda: [FoundScrew(c) for c in reciprocal_basis(framed.ring, columns).columns],
+    )
+    return PlatformScrews(
+        twist_dimension=0,
+        twists=(),
         wrench_dimension=len(wrenches),
         wrenches=tuple(writer.wrench(screw) for screw in wrenches),
     )

@@ -141,9 +141,10 @@ def _twin(network: Network, at: Motion) -> Motion | None:
 def _of_first_order(graph: ChainGraph, equations: int) -> Proved | None:
     """Ranks alone, valid whatever the joints are beyond first order."""
     if not graph.rank and not any(block.width for block in graph.blocks()):
-        return Proved(
-            graph.mobility, "no loop restrains the joints: every joint moves freely"
-        )
+        told = "no loop restrains the joints: every joint moves freely"
+        if not graph.mobility:
+            told = "no joint has a freedom"
+        return Proved(graph.mobility, told)
     if not graph.mobility:
         return Proved(
             0, "no joint rates keep the loops closed: rigid already to first order"

@@ -205,6 +205,8 @@ class PassiveSystem:
         """
         ring = self.assembly.common_twists.ring
         count = len(self.assembly.limbs)
+        if not count:
+            return [ring.one]  # of no columns and no equations
         equations = 6 * (count - 1)
         if len(passive) < equations:
             if count != 2:

@@ -32,7 +32,6 @@ from screwkit.reports.phrases import listed, platform_called, signed
 from screwkit.results.mobility import (
     Actuation,
     AtPosture,
-    FullCycle,
     Mobility,
     MotionCase,
     Platform,
@@ -59,7 +58,7 @@ def mobility_blocks(answer: Mobility) -> tuple[Block, ...]:
             Heading(words(f"motion of {platform_called(answer.platform_name)}"), 2),
             motion_listing(answer.platform),
         ]
-    closing = [full_cycle(answer.full_cycle), *driven(answer)]
+    closing = [full_cycle(answer), *driven(answer)]
     if answer.actuation is not None:
         closing.append(locked(answer.actuation, answer.platform_name))
     if answer.at_posture is not None:
@@ -75,10 +74,12 @@ def mobility_blocks(answer: Mobility) -> tuple[Block, ...]:
 
 def topology_line(topology: Topology) -> str:
     """The graph in one line."""
+    joints = counted(topology.joints, "joint")
+    if topology.joints:
+        joints += f" with {counted(topology.freedoms, 'freedom')}"
     parts = [
         counted(topology.links, "body", "bodies"),
-        f"{counted(topology.joints, 'joint')} with "
-        f"{counted(topology.freedoms, 'freedom')}",
+        joints,
         counted(topology.independent_loops, "loop"),
     ]
     if topology.components > 1:
@@ -92,6 +93,8 @@ def freedoms(answer: Mobility) -> tuple[Text, ...]:
     name = platform_called(answer.platform_name)
     where = "in general" if answer.generic else "at the posture of the file"
     of_platform: Text = (Words(f"{name} has no freedom, {where}"),)
+    if answer.topology.links == 1:
+        of_platform = words("base and platform are one body, which has no freedom")
     if platform.twist_dimension:
         of_platform = (
             Words(f"{name} has "),
@@ -193,8 +196,9 @@ def motion_listing(platform: Platform) -> Listing:
     )
 
 
-def full_cycle(answer: FullCycle) -> str:
+def full_cycle(whole: Mobility) -> str:
     """Whether the freedoms are finite motions."""
+    answer = whole.full_cycle
     reason = answer.reason.removesuffix(", so the motion is finite")
     because = f": {reason}" if reason else ""
     if answer.status == "undecided":
@@ -204,8 +208,10 @@ def full_cycle(answer: FullCycle) -> str:
     number = len(answer.branches)
     if number > 1 and len(mobilities) == 1:
         return f"the motion is finite, on {number} branches{because}{how}"
+    if mobilities == (0,) and not whole.instantaneous_mobility:
+        return f"nothing moves{because}{how}"
     if mobilities == (0,):
-        return f"no finite motion: the structure is shaky or rigid{because}{how}"
+        return f"no finite motion: the structure is shaky{because}{how}"
     if len(mobilities) > 1:
         branches = ", ".join(map(str, mobilities))
         return f"branches of mobility {branches} meet at this posture{because}{how}"

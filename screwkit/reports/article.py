@@ -139,7 +139,7 @@ def _summary(analysis: Analysis) -> tuple[Block, ...]:
                 *_capitalised(of_platform),
                 Words("; "),
                 *of_mechanism,
-                Words(f". {_sentence(full_cycle(analysis.mobility.full_cycle))}"),
+                Words(f". {_sentence(full_cycle(analysis.mobility))}"),
             )
         )
     if isinstance(analysis.singularities, Singularities):
@@ -203,7 +203,7 @@ def _mobility_section(answer: Mobility | Undecided) -> tuple[Block, ...]:
             words(
                 f"The loop constraint matrix has rank {answer.loop_rank}; "
                 f"{idle(answer)}, {redundant(answer.redundant_constraints)}. "
-                f"{_sentence(full_cycle(answer.full_cycle))}"
+                f"{_sentence(full_cycle(answer))}"
             )
         )
     )
