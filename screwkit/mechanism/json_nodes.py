@@ -20,6 +20,7 @@ from screwkit.mechanism.nodes import (
     Scalar,
     Sequence,
     unique_entries,
+    whole,
 )
 from screwkit.mechanism.yaml_nodes import DEEPEST, TooDeepError
 
@@ -106,7 +107,7 @@ class _Reader:
             return self._closed(self._open.pop())
         holder = self._open[-1] if self._open else None
         if holder is not None and holder.items is None and holder.key is None:
-            holder.key = (self._string(piece), place)
+            holder.key = (self._string(piece, place), place)
             return None
         if len(self._open) > DEEPEST:
             raise TooDeepError(place)
@@ -115,7 +116,7 @@ class _Reader:
             return None
         if kind == "text":
             return Scalar(
-                self._string(piece), place, True, None if "\\" in piece else 1
+                self._string(piece, place), place, True, None if "\\" in piece else 1
             )
         if piece == "null":
             self._faults.add(place, "null is not allowed; leave the key out")
@@ -127,8 +128,9 @@ class _Reader:
             return Sequence(tuple(done.items), done.place)
         return Mapping(unique_entries(done.entries, self._faults), done.place)
 
-    def _string(self, piece: str) -> str:
-        return str(scanstring(piece, 1, True)[0]) if "\\" in piece else piece[1:-1]
+    def _string(self, piece: str, place: Place) -> str:
+        text = str(scanstring(piece, 1, True)[0]) if "\\" in piece else piece[1:-1]
+        return whole(text, place, self._faults)
 
     def _place(self, position: int) -> Place:
         """The place of a position, none of which lies before the last one asked for."""

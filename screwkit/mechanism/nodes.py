@@ -98,6 +98,16 @@ class Faults:
         return tuple(sorted(unique, key=lambda fault: (fault.line, fault.column)))
 
 
+def whole(text: str, place: Place, faults: Faults) -> str:
+    """The text, if it has no half of a character, such as an escape can write."""
+    if not text.isascii() and any("\ud800" <= c <= "\udfff" for c in text):
+        faults.settle(
+            place, "half of a character stands here (a surrogate); write it whole"
+        )
+        return "0"
+    return text
+
+
 def plain(node: Node) -> Any:
     """The tree as dicts, lists and text, for the models."""
     match node:

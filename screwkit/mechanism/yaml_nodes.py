@@ -24,6 +24,7 @@ from screwkit.mechanism.nodes import (
     Scalar,
     Sequence,
     unique_entries,
+    whole,
 )
 
 DEEPEST: Final = 50
@@ -120,7 +121,7 @@ class _Composer:
         if depth >= DEEPEST:
             raise TooDeepError(place)
         if isinstance(event, yaml.ScalarEvent):
-            return _scalar(event, place)
+            return _scalar(event, place, self._faults)
         if isinstance(event, yaml.SequenceStartEvent):
             return self._sequence(event, place, depth)
         return self._mapping(event, place, depth)
@@ -172,8 +173,8 @@ def _place(mark: Any) -> Place:
     return Place(mark.line + 1, mark.column + 1)
 
 
-def _scalar(event: Any, place: Place) -> Scalar:
-    text, style = event.value, event.style
+def _scalar(event: Any, place: Place, faults: Faults) -> Scalar:
+    text, style = whole(event.value, place, faults), event.style
     end = event.end_mark
     # Plain (no style) or quoted; a block scalar (| or >) is as deliberate as quotes.
     quotes = 1 if style in {"'", '"'} else 0
