@@ -74,7 +74,9 @@ def deliver_schemes(path: Path) -> Delivery:
 def _csv(answer: Schemes) -> str:
     file = io.StringIO()
     table = csv.writer(file, lineterminator="\n")
-    table.writerow(["actuated", "admissible", "generic_rank", "locus", "reason"])
+    table.writerow(
+        ["actuated", "admissible", "generic_rank", "locus", "reason", "proved"]
+    )
     for scheme in answer.schemes:
         powers = scheme.multiplicities or (1,) * len(scheme.locus)
         locus = " * ".join(
@@ -88,6 +90,7 @@ def _csv(answer: Schemes) -> str:
                 scheme.generic_rank,
                 locus,
                 scheme.reason or "",
+                "no" if scheme.undecided or scheme.deeper else "yes",
             ]
         )
     return file.getvalue()

@@ -46,6 +46,7 @@ class Branch:
         pending: Conditions that could not be solved.
         extra: Further equations that tell the branch from other zeros of its
             conditions.
+        nonvanishing: Polynomials of the whole ring that are zero nowhere.
         dimensions: Indices of the symbols that are dimensions of the mechanism, not
             coordinates of its posture.
     """
@@ -57,6 +58,7 @@ class Branch:
     pending: tuple[Pending, ...] = ()
     dimensions: tuple[int, ...] = ()
     extra: tuple[Polynomial, ...] = ()
+    nonvanishing: tuple[Polynomial, ...] = ()
 
     @property
     def codimension(self) -> int:
@@ -89,8 +91,8 @@ class Branch:
 
     @property
     def divisors(self) -> list[Polynomial]:
-        """What the steps divided by: nowhere zero on the branch."""
-        found: list[Polynomial] = []
+        """What the steps divided by, and what is zero nowhere anyway."""
+        found = list(self.nonvanishing)
         for step in self.steps:
             found = substituted(self.ring, found, step) if found else []
             if not step.divisor.is_constant():

@@ -83,7 +83,9 @@ def common_zeros(
             left out (they are contained in something the caller knows).
     """
     search.problem = tuple(p for p in polynomials if p != 0)
-    _descend(branch, list(polynomials), branch.divisors, search)
+    nonzero = branch.divisors
+    if all(p != 0 for p in nonzero):
+        _descend(branch, list(polynomials), nonzero, search)
     return Decomposition(
         tuple(search.found), tuple(search.unfinished), tuple(search.special)
     )

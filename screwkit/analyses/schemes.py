@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, islice
 from math import comb
 
 from screwkit.algebra.branches import restricted
@@ -37,6 +37,7 @@ from screwkit.results.schemes import (
 )
 
 _NAMED = 80  # terms; no statement of the catalogue is longer
+_LOOKED_AT = 60  # minors of one scheme
 _REPORT = 50  # schemes between two words of progress
 LARGEST = 20_000  # schemes; beyond, candidates have to be named
 
@@ -116,6 +117,15 @@ def schemes(
     )
 
 
+@dataclass(frozen=True)
+class _Locus:
+    """What was found of a locus; see `Scheme`."""
+
+    factors: tuple[tuple[Factor, int], ...]
+    undecided: bool = False
+    deeper: bool = False
+
+
 @dataclass
 class _Work:
     """What the schemes of one mechanism share."""
@@ -134,34 +144,72 @@ class _Work:
         self.ring = framed.ring
         self.root = self.assembly.root(framed.ring)
         self.library = self.assembly.library(framed.ring)
+        self.axes = {
+            f.key
+            for square in self.root.nonvanishing
+            for f, _ in factor(self.ring, square, self.library).factors
+        }
 
-    def locus(self, passive: Sequence[str]) -> list[tuple[Factor, int]] | None:
-        """The factors of the determinant that can vanish; None where not expanded."""
-        minors = self.system.maximal_minors(passive)
-        if minors is None:
-            return None
-        common: dict[str, tuple[Factor, int]] | None = None
-        for minor in sorted(minors, key=len):
-            factors = {
-                f.key: (f, n) for f, n in factor(self.ring, minor, self.library).factors
+    def locus(self, passive: Sequence[str]) -> _Locus:
+        """The factors on which the passive twists become dependent."""
+        if len(self.assembly.limbs) < 2:
+            return _Locus(())
+        minors = sorted(
+            islice(self.system.maximal_minors(passive), _LOOKED_AT), key=len
+        )
+        if not minors:
+            return _Locus((), undecided=True)
+        whole = self.system.fills(passive) and len(minors) == 1
+        seen: list[dict[str, tuple[Factor, int]]] = []
+        common: dict[str, tuple[Factor, int]] = {}
+        for minor in minors:
+            factors = factor(self.ring, minor, self.library).factors
+            own = {f.key: (f, n) for f, n in factors if self._can_vanish(f)}
+            shared = {
+                key: (f, min(n, own[key][1]))
+                for key, (f, n) in common.items()
+                if key in own
             }
-            if common is None:
-                common = factors
-            else:
-                common = {
-                    key: (f, min(n, factors[key][1]))
-                    for key, (f, n) in common.items()
-                    if key in factors
-                }
+            common = shared if seen else own
+            seen.append(own)
             if not common:
                 break
-        kept = []
-        for f, n in (common or {}).values():
-            if self.root.assumptions.is_nonzero(self.ring, f.equations[0]):
-                self.left_out.add(equation_text(self.ring, f.equations[0]))
-            else:
-                kept.append((f, n))
-        return kept
+        kept, undecided = {}, False
+        for key, entry in common.items():
+            falls = True if whole else self._falls(entry[0], passive)
+            undecided = undecided or falls is None
+            if falls:
+                kept[key] = entry
+        # Where one minor vanishes on nothing else, nothing else fails.
+        all_of_it = any(own.keys() <= kept.keys() for own in seen)
+        return _Locus(tuple(kept.values()), undecided, not all_of_it)
+
+    def _can_vanish(self, f: Factor) -> bool:
+        if f.key in self.axes:
+            return False
+        if not self.root.assumptions.is_nonzero(self.ring, f.equations[0]):
+            return True
+        self.left_out.add(equation_text(self.ring, f.equations[0]))
+        return False
+
+    def _falls(self, f: Factor, passive: Sequence[str]) -> bool | None:
+        """Whether more moves on a factor than in general; None if no point is known."""
+        tables = self._tables_on(f)
+        if not tables:
+            return None
+        general = self.system.generic_state(passive).mobility
+        return any(table.state(passive).mobility > general for table in tables)
+
+    def _tables_on(self, f: Factor) -> list[RankTable]:
+        """Ranks at exact points on a factor."""
+        if f.key not in self.tables:
+            branches = restricted(self.root, f.equations[0], f.equations[1:])
+            self.tables[f.key] = [
+                self.system.table_at(*point)
+                for branch in branches[:1]
+                for point in branch.points
+            ]
+        return self.tables[f.key]
 
     def text(self, f: Factor) -> str:
         """The factor as one equation; a half-angle factor as its square."""
@@ -178,14 +226,7 @@ class _Work:
         """
         if len(self._limbs_in(f)) > 1:
             return False
-        if f.key not in self.tables:
-            branches = restricted(self.root, f.equations[0], f.equations[1:])
-            self.tables[f.key] = [
-                self.system.table_at(*point)
-                for branch in branches[:1]
-                for point in branch.points
-            ]
-        tables = self.tables[f.key]
+        tables = self._tables_on(f)
         return bool(tables) and any(
             table.state(passive).platform_freedom == 0 for table in tables
         )
@@ -254,18 +295,17 @@ def _too_few(
 def _scheme(work: _Work, actuated: tuple[str, ...], state: PassiveState) -> Scheme:
     assembly = work.assembly
     passive = passive_joints(assembly, actuated)
-    rank = 6 - state.platform_freedom
+    rank = assembly.dimension - state.platform_freedom
     balanced = _is_balanced(assembly, actuated)
     if state.platform_freedom:
         reason = witness(assembly, work.system, passive)
         return Scheme(actuated, False, rank, reason=reason, balanced=balanced)
-    locus = work.locus(passive)
-    if locus is None:
-        work.open = (
-            "loci of redundant schemes with more than two limbs are not expanded"
-        )
-        return Scheme(actuated, True, rank, balanced=balanced)
-    locus.sort(key=lambda item: (len(item[0].equations[0]), item[0].key))
+    found = work.locus(passive)
+    if found.undecided:
+        work.open = "minors of some schemes are too long to expand"
+    locus = sorted(
+        found.factors, key=lambda item: (len(item[0].equations[0]), item[0].key)
+    )
     texts, idle = [], []
     for f, _ in locus:
         work.counts[f.key] += 1
@@ -283,6 +323,8 @@ def _scheme(work: _Work, actuated: tuple[str, ...], state: PassiveState) -> Sche
         tuple(idle),
         None,
         balanced,
+        found.undecided,
+        found.deeper,
     )
 
 

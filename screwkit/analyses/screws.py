@@ -113,7 +113,7 @@ def _limb(assembly: Assembly, limb: LimbChain) -> _Limb:
     rank = len(independent(framed.ring, columns))
     constraints = finder.basis(
         [*columns, *out_of_plane(assembly, twists=True)],
-        size_of(assembly) - rank,
+        assembly.dimension - rank,
         lambda: _reciprocal(assembly, limb, limb.joints),
     )
     return _Limb(limb, framed, columns, finder, rank, tuple(constraints))
@@ -156,11 +156,6 @@ def _in_numbers(
     return tuple(tuple(evaluate(entry, ring) for entry in row) for row in rows)
 
 
-def size_of(assembly: Assembly) -> int:
-    """Dimension of all twists that the file speaks of: six, or three in the plane."""
-    return 3 if assembly.mechanism.space == "planar" else SCREW_DIMENSION
-
-
 def out_of_plane(assembly: Assembly, *, twists: bool) -> tuple[Column, ...]:
     """The screws that a planar file does not speak of; none of a spatial one.
 
@@ -168,7 +163,7 @@ def out_of_plane(assembly: Assembly, *, twists: bool) -> tuple[Column, ...]:
         assembly: The mechanism.
         twists: Whether as twists (ωx, ωy, vz), or as wrenches (fz, mx, my).
     """
-    if size_of(assembly) == SCREW_DIMENSION:
+    if assembly.dimension == SCREW_DIMENSION:
         return ()
     ring = assembly.base_twists.ring
     places = (0, 1, 5) if twists else (2, 3, 4)
@@ -223,7 +218,7 @@ def _limb_screws(assembly: Assembly, found: _Limb, writer: ScrewWriter) -> LimbS
         joints=found.limb.joints,
         twist_dimension=found.rank,
         twists=_written_twists(assembly, found, writer),
-        wrench_dimension=size_of(assembly) - found.rank,
+        wrench_dimension=assembly.dimension - found.rank,
         wrenches=tuple(writer.wrench(screw) for screw in found.constraints),
     )
 
@@ -313,7 +308,7 @@ def _platform(
     columns += out_of_plane(assembly, twists=False)
     twists = finder.basis(
         columns,
-        size_of(assembly) - len(wrenches),
+        assembly.dimension - len(wrenches),
         lambda: [FoundScrew(c) for c in reciprocal_basis(ring, columns).columns],
     )
     return PlatformScrews(

@@ -102,7 +102,7 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
                 solved=solved_equations(piece),
                 rank=rank,
                 geometry=meanings.of(piece),
-                wrench_dimension=6 - rank,
+                wrench_dimension=assembly.dimension - rank,
             )
         )
     complete = drop.decomposition.complete
@@ -184,7 +184,7 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
         )
     framed = assembly.common_twists
     root, library = assembly.root(framed.ring), assembly.library(framed.ring)
-    limbs = [[framed.column(j) for j in limb.joints] for limb in assembly.limbs]
+    limbs = [assembly.told(limb.joints) for limb in assembly.limbs]
     strata = [
         in_ring(
             limb_strata(assembly, limb),
@@ -208,7 +208,8 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
         for piece in with_sheets_together(drop.pieces)
     ]
     components = tuple(
-        _constraint_component(piece, limbs, meanings) for piece in _in_order(pieces)
+        _constraint_component(piece, limbs, meanings, assembly.dimension)
+        for piece in _in_order(pieces)
     )
     complete = drop.complete
     return ConstraintSingularities(
@@ -245,6 +246,7 @@ def _constraint_component(
     piece: Piece,
     limbs: Sequence[Sequence[Sequence[Polynomial]]],
     meanings: Meanings,
+    size: int,
 ) -> Component:
     state = _state(piece, limbs)
     return Component(
@@ -254,7 +256,7 @@ def _constraint_component(
         solved=solved_equations(piece),
         rank=state.loop,
         geometry=meanings.each_of(piece),
-        wrench_dimension=state.wrench_dimension,
+        wrench_dimension=size - state.platform_freedom,
         platform_freedom=state.platform_freedom,
         mobility=state.mobility,
     )
@@ -273,7 +275,7 @@ def actuation_singularities(
 ) -> ActuationSingularities:
     """Where, with these joints locked, the platform can move."""
     locus = actuation_locus(assembly, actuated)
-    meanings = locus.meanings
+    meanings, size = locus.meanings, assembly.dimension
     moving: list[Component] = []
     idle: list[Component] = []
     for piece, state in zip(locus.pieces, locus.states, strict=True):
@@ -282,9 +284,9 @@ def actuation_singularities(
             codimension=piece.codimension,
             solutions=all_solutions(piece),
             solved=solved_equations(piece),
-            rank=6 - state.platform_freedom,
+            rank=size - state.platform_freedom,
             geometry=meanings.each_of(piece) if meanings else None,
-            wrench_dimension=6 - state.platform_freedom,
+            wrench_dimension=size - state.platform_freedom,
             platform_freedom=state.platform_freedom,
             mobility=state.mobility,
         )
@@ -292,7 +294,7 @@ def actuation_singularities(
     return ActuationSingularities(
         actuated=tuple(actuated),
         admissible=locus.admissible,
-        generic_rank=locus.generic_rank,
+        generic_rank=size - locus.platform_freedom,
         complete=locus.complete,
         components=tuple(moving),
         idle=tuple(idle),

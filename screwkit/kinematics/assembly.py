@@ -16,7 +16,9 @@ from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.modular import rank
-from screwkit.algebra.trigonometric import TrigonometricRing
+from screwkit.algebra.telling_coordinates import telling_coordinates
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.conventions import SCREW_DIMENSION
 from screwkit.errors import UndecidedError
 from screwkit.kinematics.exact_postures import at_zero, exact_posture
 from screwkit.kinematics.frames import (
@@ -144,6 +146,22 @@ class Assembly:
         shortest = shortest_twists(self.mechanism, self._chains, origins)
         return replace(shortest, limbs=tuple(limb.joints for limb in self.limbs))
 
+    @property
+    def dimension(self) -> int:
+        """Of all twists that the file speaks of: six, or three in the plane."""
+        return 3 if self.mechanism.space == "planar" else SCREW_DIMENSION
+
+    @cached_property
+    def telling(self) -> tuple[int, ...]:
+        """Coordinates of `common_twists` from which the others follow."""
+        framed = self.common_twists
+        return telling_coordinates(framed.column(joint) for joint in self.joints)
+
+    def told(self, joints: Sequence[str]) -> list[list[Polynomial]]:
+        """`common_twists` of some joints in those coordinates alone."""
+        columns = (self.common_twists.column(joint) for joint in joints)
+        return [[column[place] for place in self.telling] for column in columns]
+
     @cached_property
     def base_twists(self) -> FramedTwists:
         """The twists of all limbs in the base frame."""
@@ -202,7 +220,25 @@ class Assembly:
             for index, name in zip(ring.symbol_indices(), ring.symbols, strict=True)
             if name in dimensions
         )
-        return Branch(ring, self.assumptions, dimensions=indices)
+        return Branch(
+            ring,
+            self.assumptions,
+            dimensions=indices,
+            nonvanishing=self._axis_squares.get(ring, ()),
+        )
+
+    @cached_property
+    def _axis_squares(self) -> Mapping[TrigonometricRing, tuple[Polynomial, ...]]:
+        """Squared lengths of axes by ring: nowhere zero, or the joint has no axis."""
+        if self.mechanism.geometry == "mdh":
+            return {}
+        found: dict[TrigonometricRing, tuple[Polynomial, ...]] = {}
+        for framed in (self.common_twists, *self.limb_twists.values()):
+            squares = {str(s): s for s in map(framed.axis_square, framed.joints)}
+            found[framed.ring] = tuple(
+                square for square in squares.values() if not square.is_constant()
+            )
+        return found
 
     def library(self, ring: TrigonometricRing) -> FactorLibrary:
         """The factors met in a ring so far, kept for as long as the assembly."""
@@ -253,8 +289,8 @@ def loop_rows(limbs: Sequence[Sequence[Sequence[T]]]) -> list[list[T]]:
     rows = [[*column] * loops for column in limbs[0]]
     for number, limb in enumerate(limbs[1:]):
         for column in limb:
-            zero = [column[0] - column[0]]  # type: ignore[operator]
-            before, after = zero * (6 * number), zero * (6 * (loops - number - 1))
+            zero = [column[0] - column[0]] * len(column)  # type: ignore[operator]
+            before, after = zero * number, zero * (loops - number - 1)
             rows.append([*before, *column, *after])
     return rows
 

@@ -22,6 +22,7 @@ from screwkit.algebra.trigonometric import (
     TrigonometricRing,
     plain_basis,
 )
+from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.kinematics.freedoms import JointTwist
 from screwkit.kinematics.placement import joint_twists, table_joints
 from screwkit.mechanism.joints import freedom_labels
@@ -67,6 +68,13 @@ class FramedTwists:
     def column(self, joint: str) -> tuple[Polynomial, ...]:
         """The twist of a joint."""
         return self.columns[self.joints.index(joint)]
+
+    def axis_square(self, joint: str) -> Polynomial:
+        """The squared length of a joint's direction as its column has it."""
+        column = self.column(joint)
+        omega = [x for x in column[DIRECTION] if x != 0]
+        parts = omega or [x for x in column[MOMENT] if x != 0]
+        return self.ring.normal(sum((x * x for x in parts), self.ring.zero))
 
 
 def survey(mechanism: Mechanism, joints: Collection[str], origin: str) -> SurveyRing:

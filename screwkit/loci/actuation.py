@@ -12,14 +12,18 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
-from screwkit.algebra.decomposition import Search, common_zeros
-from screwkit.algebra.minors import joined
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.decomposition import Search
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.passive import PassiveState, PassiveSystem
 from screwkit.loci.pieces import Piece, lies_in, pieces_of
-from screwkit.loci.rank_drop import extensors
+from screwkit.loci.rank_drop import Column, rank_drop
 from screwkit.loci.witness import witness
+from screwkit.loci.wrench_sums import dependent_zeros
+
+_LONGEST = 60_000  # terms of a polynomial that is factored
+_IDLE = 200  # case distinctions on all idle pieces
 
 
 @dataclass(frozen=True)
@@ -27,7 +31,7 @@ class ActuationLocus:
     """Pieces on which something moves with the actuated joints locked.
 
     Attributes:
-        generic_rank: Of the global wrench system.
+        platform_freedom: With these joints locked, in general.
         pieces: With their ``states``; where the platform's freedom there is 0, only
             limbs move.
         witness: Why the scheme is not admissible.
@@ -35,7 +39,7 @@ class ActuationLocus:
     """
 
     admissible: bool
-    generic_rank: int
+    platform_freedom: int
     complete: bool
     pieces: tuple[Piece, ...]
     states: tuple[PassiveState, ...]
@@ -54,49 +58,73 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
     system = PassiveSystem(assembly)
     passive = passive_joints(assembly, actuated)
     generic = system.generic_state(passive)
-    rank = 6 - generic.platform_freedom
-    if generic.platform_freedom:
+    freedom = generic.platform_freedom
+    if freedom:
         why = witness(assembly, system, passive)
-        return ActuationLocus(False, rank, True, (), (), None, why)
+        return ActuationLocus(False, freedom, True, (), (), None, why)
     framed = assembly.common_twists
     root, library = assembly.root(framed.ring), assembly.library(framed.ring)
     meanings = Meanings(framed, root, library)
-    minors = system.maximal_minors(passive)
-    if minors is None:
-        return ActuationLocus(
-            True,
-            rank,
-            False,
-            (),
-            (),
-            meanings,
-            reason="redundant actuation of more than two limbs is not expanded",
-        )
-    zeros = common_zeros(root, minors, Search(library))
+    limbs = [
+        assembly.told([joint for joint in limb.joints if joint in passive])
+        for limb in assembly.limbs
+    ]
+    zeros = dependent_zeros(root, limbs, Search(library, largest=_LONGEST))
     pieces = pieces_of(zeros.branches)
     states = [_state(system, piece, passive) for piece in pieces]
-    complete = zeros.complete
+    complete = all(_known(branch, pieces) for branch in zeros.open)
     reason = "" if complete else "the zeros of the determinant were not all decided"
     moving = [p for p, s in zip(pieces, states, strict=True) if s.platform_freedom]
-    for piece, state in list(zip(pieces, states, strict=True)):
-        if state.platform_freedom:
-            continue
-        deeper = _inside_idle(assembly, system, piece, passive, moving)
-        if deeper is None:
-            complete, reason = False, "an idle piece was not searched further"
-            continue
-        found, finished = deeper
-        if not finished:
-            complete, reason = False, "an idle piece was not searched to the end"
-        for inner in found:
-            inner_state = _state(system, inner, passive)
-            if inner_state.platform_freedom:
+    waiting = [p for p, s in zip(pieces, states, strict=True) if not s.platform_freedom]
+    search = Search(library, budget=_IDLE)
+    search.skip = lambda branch: any(lies_in(branch, known) for known in moving)
+    seen: dict[frozenset[str], Piece] = {}
+    while waiting:
+        idle = waiting.pop()
+        inside, left = _inside(idle, limbs, search)
+        for inner in inside:
+            state = _state(system, inner, passive)
+            key = frozenset(map(str, inner.equations))
+            if state.platform_freedom and not _known(inner.branches[0], moving):
                 pieces.append(inner)
-                states.append(inner_state)
+                states.append(state)
                 moving.append(inner)
+            elif not state.platform_freedom and key not in seen:
+                seen[key] = inner
+                waiting.append(inner)
+        # What lies on a piece inside is searched with that.
+        deeper = (p for p in seen.values() if p.codimension > idle.codimension)
+        searched = [*moving, *deeper]
+        if any(not _known(branch, searched) for branch in left):
+            complete, reason = False, "an idle piece was not searched to the end"
     return ActuationLocus(
-        True, rank, complete, tuple(pieces), tuple(states), meanings, reason=reason
+        True, freedom, complete, tuple(pieces), tuple(states), meanings, reason=reason
     )
+
+
+def _inside(
+    piece: Piece, limbs: Sequence[Sequence[Column]], search: Search
+) -> tuple[list[Piece], list[Branch]]:
+    """Where more moves than on all of a piece on which limbs idle, and what is open.
+
+    Either limbs that keep their ranks there become dependent, or a limb loses more.
+    """
+    found: list[Branch] = []
+    left: list[Branch] = []
+    for branch in piece.branches:
+        zeros = dependent_zeros(branch, limbs, search, within=True)
+        found += zeros.branches
+        left += zeros.open
+        for limb in limbs:
+            if limb:
+                drop = rank_drop(branch, limb, search).decomposition
+                found += drop.branches
+                left += drop.open
+    return pieces_of(found), left
+
+
+def _known(branch: Branch, pieces: Sequence[Piece]) -> bool:
+    return any(lies_in(branch, piece) for piece in pieces)
 
 
 def _state(
@@ -109,48 +137,3 @@ def _state(
         for point in branch.points
     ]
     return min(states, key=lambda state: state.platform_freedom)
-
-
-def _inside_idle(
-    assembly: Assembly,
-    system: PassiveSystem,
-    piece: Piece,
-    passive: Collection[str],
-    moving: Sequence[Piece],
-) -> tuple[list[Piece], bool] | None:
-    """Pieces of an idle piece on which the platform moves after all; two limbs only."""
-    if len(assembly.limbs) != 2:
-        return None
-    framed = assembly.common_twists
-    library = assembly.library(framed.ring)
-    found: list[Piece] = []
-    finished = True
-    for branch in piece.branches:
-        limbs = [
-            [framed.column(j) for j in limb.joints if j in passive]
-            for limb in assembly.limbs
-        ]
-        state = _state(system, Piece(piece.equations, (branch,)), passive)
-        charts = [
-            extensors(branch, columns, rank) if columns else [{0: branch.ring.one}]
-            for columns, rank in zip(limbs, state.limbs, strict=True)
-        ]
-        polynomials = [
-            value
-            for left in charts[0]
-            for right in charts[1]
-            for value in joined(branch.ring, left, right).values()
-        ]
-        search = Search(
-            library,
-            budget=80,
-            skip=lambda b: any(lies_in(b, known) for known in moving),
-        )
-        zeros = common_zeros(branch, polynomials, search)
-        pieces = pieces_of(zeros.branches)
-        finished = finished and all(
-            any(lies_in(left, known) for known in (*moving, *pieces))
-            for left in zeros.open
-        )
-        found.extend(pieces)
-    return found, finished

@@ -18,21 +18,19 @@ from itertools import product
 from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.decomposition import (
     Search,
-    common_zeros,
     irreducible_parts,
     possible_factors,
 )
-from screwkit.algebra.minors import combined, minor_table
 from screwkit.algebra.points import rank_at
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import loop_rows
 from screwkit.loci.pieces import Piece, lies_in, pieces_of
-from screwkit.loci.rank_drop import Column, extensors
+from screwkit.loci.rank_drop import Column
 from screwkit.loci.strata import LimbStrata, Stratum
+from screwkit.loci.wrench_sums import dependent_zeros
 
 _EFFORT = 1_200  # case distinctions in all; long polynomials count more
 _BUDGET = 150  # case distinctions on one branch
-_LARGEST = 4_000  # terms of all conditions on one branch
 
 
 @dataclass(frozen=True)
@@ -58,11 +56,6 @@ class LoopState:
     def platform_freedom(self) -> int:
         """Dimension of the twists the platform can have."""
         return self.mobility - (self.freedoms - sum(self.limbs))
-
-    @property
-    def wrench_dimension(self) -> int:
-        """Dimension of the platform's constraint wrenches."""
-        return 6 - self.platform_freedom
 
 
 @dataclass(frozen=True)
@@ -106,6 +99,7 @@ class _Walk:
     """The combinations of strata under way, shallow ones first."""
 
     limbs: Sequence[Sequence[Column]]
+    height: int
     generic: LoopState
     search: Search
     strata: Sequence[LimbStrata]
@@ -137,14 +131,16 @@ def loop_drop(
 
     Args:
         root: The whole configuration space.
-        limbs: Twists of each limb in one common frame.
+        limbs: Twists of each limb in one common frame, in coordinates that tell all
+            of them apart.
         strata: Of each limb, in the ring of the common frame.
         search: Budget and known factors, shared by all steps.
     """
     generic = loop_state(root, limbs)
     if generic is None:
         raise ValueError("the whole space has no exact point")
-    walk = _Walk(limbs, generic, search, strata)
+    height = max((len(column) for limb in limbs for column in limb), default=0)
+    walk = _Walk(limbs, height, generic, search, strata)
     combinations = sorted(
         product(*(limb.strata for limb in strata)),
         key=lambda chosen: sum(stratum.codimension for stratum in chosen),
@@ -182,9 +178,9 @@ def _visit(root: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
 
 def _can_depend(chosen: Sequence[Stratum], walk: _Walk) -> bool:
     """At least two limbs must constrain the platform."""
-    if walk.generic.loop < 6 * (len(walk.limbs) - 1):
+    if walk.generic.loop < walk.height * (len(walk.limbs) - 1):
         return True
-    return sum(stratum.rank < 6 for stratum in chosen) > 1
+    return sum(stratum.rank < walk.height for stratum in chosen) > 1
 
 
 def imposed(branch: Branch, equation: Polynomial, search: Search) -> list[Branch]:
@@ -209,10 +205,6 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
     if state.loop < walk.generic.loop:
         walk.keep([branch])
         return
-    polynomials = _dependence(branch, state, walk)
-    if polynomials is None:
-        walk.open.append(branch)
-        return
     deeper = [
         stratum
         for limb, own in zip(walk.strata, chosen, strict=True)
@@ -229,15 +221,10 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         skip=lambda b: any(lies_in(b, piece) for piece in elsewhere),
     )
     before = search.budget
-    zeros = common_zeros(branch, polynomials, search)
+    zeros = dependent_zeros(branch, walk.limbs, search, within=True)
     walk.effort -= 1 + before - search.budget
     for found in zeros.branches:
-        there = loop_state(found, walk.limbs)
-        if there is not None and there.loop < walk.generic.loop:
-            walk.keep([found])
-        else:
-            # Not all conditions were expanded, so that too much seemed to vanish.
-            walk.open.append(found)
+        walk.keep([found])
     walk.open.extend(zeros.open)
 
 
@@ -285,33 +272,3 @@ def _other_sheets(
                     copies.append(copy)
                     waiting.append(copy)
     return copies
-
-
-def _dependence(
-    branch: Branch, state: LoopState, walk: _Walk
-) -> list[Polynomial] | None:
-    """Polynomials that vanish where limbs of generic rank become dependent.
-
-    None where the branch is too large for the route that it would need.
-    """
-    if state.loop == 6 * (len(walk.limbs) - 1):
-        charts = [
-            extensors(branch, limb, rank)
-            for limb, rank in zip(walk.limbs, state.limbs, strict=True)
-        ]
-        polynomials: list[Polynomial] = []
-        for chart in product(*charts):
-            polynomials.extend(combined(branch.ring, chart, 6).values())
-            if sum(map(len, polynomials)) > _LARGEST:
-                break
-        return polynomials
-    rows = [branch.column(column) for column in loop_rows(walk.limbs)]
-    if len(rows) > 10 or len(walk.limbs) != 2:
-        return None
-    table = minor_table(branch.ring, rows, len(rows[0]), state.loop)
-    return [
-        minor
-        for chosen, minors in table.items()
-        if chosen.bit_count() == state.loop
-        for minor in minors.values()
-    ]

@@ -7,17 +7,25 @@ passive twists.  Whether the platform can move is read from ranks at exact point
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
+from math import comb
 
 from screwkit.algebra.batched_ranks import BITS, batched_ranks
 from screwkit.algebra.minors import MinorTable, combined, joined, minor_table
-from screwkit.algebra.modular import rank
+from screwkit.algebra.modular import independent, rank
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import Assembly
+from screwkit.loci.wrench_sums import COSTLIEST, cost, filling_units, sum_minors
+
+MINORS = 4
+"""Minors beyond the first that a locus is looked at with."""
+
+CHOICES = 300
+"""Choices of columns of which each gives a determinant."""
 
 
 @dataclass(frozen=True)
@@ -183,11 +191,16 @@ class PassiveSystem:
 
     @cached_property
     def _tables(self) -> tuple[MinorTable[Polynomial], ...]:
-        framed = self.assembly.common_twists
+        ring = self.assembly.common_twists.ring
         return tuple(
-            minor_table(framed.ring, [framed.column(j) for j in limb.joints], 6)
+            minor_table(ring, self.assembly.told(limb.joints), self.height)
             for limb in self.assembly.limbs
         )
+
+    @property
+    def height(self) -> int:
+        """Coordinates that tell all twists apart: three in a plane or about a point."""
+        return len(self.assembly.telling)
 
     def _extensor(
         self, limb: int, passive: Collection[str]
@@ -196,29 +209,73 @@ class PassiveSystem:
         bits = sum(1 << i for i, joint in enumerate(joints) if joint in passive)
         return self._tables[limb].get(bits, {})
 
-    def maximal_minors(self, passive: Collection[str]) -> list[Polynomial] | None:
-        """Polynomials whose common zeros are where these columns are dependent.
+    def fills(self, passive: Collection[str]) -> bool:
+        """Whether these columns just fill the loop equations: one determinant."""
+        return len(passive) == self.height * (len(self.assembly.limbs) - 1)
 
-        One determinant where the columns just fill the loop equations; several where
-        there are fewer columns, or more because limbs idle for every posture.  None
-        where this route does not apply.
+    def maximal_minors(self, passive: Collection[str]) -> Iterator[Polynomial]:
+        """Polynomials that all vanish where these columns become dependent.
+
+        One determinant where the columns just fill the loop equations; with two limbs
+        all minors; else some of them, the shortest first, each of them not zero.
+        Minors that would take too long to expand are left out.
         """
         ring = self.assembly.common_twists.ring
         count = len(self.assembly.limbs)
         if not count:
-            return [ring.one]  # of no columns and no equations
-        equations = 6 * (count - 1)
-        if len(passive) < equations:
-            if count != 2:
-                return None
+            yield ring.one  # of no columns and no equations
+            return
+        equations = self.height * (count - 1)
+        if len(passive) < equations and count == 2:
             left, right = (self._extensor(i, passive) for i in range(2))
-            return list(joined(ring, left, right).values())
-        found: list[Polynomial] = []
-        for chosen in self._square_choices(passive, equations):
-            extensors = [self._extensor(i, chosen) for i in range(count)]
-            if all(extensors):
-                found.extend(combined(ring, extensors, 6).values())
-        return found
+            yield from joined(ring, left, right).values()
+            return
+        found = False
+        if len(passive) >= equations:
+            for chosen in self._square_choices(passive, equations):
+                extensors = [self._extensor(i, chosen) for i in range(count)]
+                if all(extensors):
+                    for minor in combined(ring, extensors, self.height).values():
+                        found = True
+                        yield minor
+        if not found:
+            yield from self._some_minors(passive)
+
+    def _some_minors(self, passive: Collection[str]) -> Iterator[Polynomial]:
+        """Minors that are not zero at a random point, cheap ones first."""
+        ring = self.assembly.common_twists.ring
+        if len(self.assembly.limbs) < 2 or self._sample is None:
+            return
+        residues, prime = self._sample
+        chosen: list[list[str]] = []
+        for limb in self.assembly.limbs:
+            own = [joint for joint in limb.joints if joint in passive]
+            kept = independent([residues[joint] for joint in own], prime)
+            chosen.append([own[number] for number in kept])
+        extensors = [self._extensor(i, own) for i, own in enumerate(chosen)]
+        at_point = [[residues[joint] for joint in own] for own in chosen]
+        choices = sorted(
+            filling_units(at_point, self.height, prime),
+            key=lambda units: (cost(extensors, units), units),
+        )
+        for units in choices[:MINORS]:
+            if cost(extensors, units) > COSTLIEST:
+                return
+            yield from sum_minors(ring, extensors, units, self.height)
+
+    @cached_property
+    def _sample(self) -> tuple[dict[str, list[int]], int] | None:
+        """The telling coordinates of all twists at a random point of their ring."""
+        assembly = self.assembly
+        points = assembly.root(assembly.common_twists.ring).points
+        if not points:
+            return None
+        point, prime = points[0]
+        columns = zip(assembly.joints, assembly.told(assembly.joints), strict=True)
+        return {
+            joint: [residue(x, point, prime) for x in column]
+            for joint, column in columns
+        }, prime
 
     def _square_choices(
         self, passive: Collection[str], equations: int
@@ -226,5 +283,7 @@ class PassiveSystem:
         """Choices of passive columns that are as many as the equations."""
         if len(passive) == equations:
             return [frozenset(passive)]
+        if comb(len(passive), equations) > CHOICES:
+            return []
         ordered = [joint for joint in self.joints if joint in passive]
         return [frozenset(c) for c in combinations(ordered, equations)]

@@ -94,6 +94,8 @@ def without_contained(pieces: Sequence[Piece]) -> list[Piece]:
 
 
 def lies_in(branch: Branch, piece: Piece) -> bool:
-    """Whether random exact points of ``branch`` all lie on ``piece``."""
+    """Whether a branch lies on a piece: by its conditions or by its exact points."""
+    if {str(e) for e in piece.equations} <= {str(c) for c in branch.conditions}:
+        return True
     points = branch.points
     return bool(points) and all(piece.contains(*point) for point in points)

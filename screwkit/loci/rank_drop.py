@@ -71,12 +71,19 @@ def maximal_minors(
 
 
 def extensors(
-    branch: Branch, columns: Sequence[Column], rank: int
+    branch: Branch, columns: Sequence[Column], rank: int, *, reduced: bool = True
 ) -> list[dict[int, Polynomial]]:
     """Plücker coordinates of the span on a branch, one chart per choice of columns.
 
     Where the rank is ``rank`` at least one chart is not zero, and the charts are
-    proportional; each is divided by the common factor of its coordinates.
+    proportional.
+
+    Args:
+        branch: Where the columns are taken.
+        columns: As in `rank_drop`.
+        rank: Of them on the branch.
+        reduced: Divide each chart by the common factor of its coordinates; where that
+            vanishes the rank is less.
     """
     on_branch = [branch.column(column) for column in columns]
     table = minor_table(branch.ring, on_branch, len(columns[0]), rank)
@@ -87,7 +94,7 @@ def extensors(
     ]
     different: dict[str, dict[int, Polynomial]] = {}
     for minors in charts:
-        chart = _reduced(minors)
+        chart = _reduced(minors) if reduced else dict(minors)
         if next(iter(chart.values())).coeffs()[0] < 0:
             chart = {rows: -value for rows, value in chart.items()}
         different.setdefault(str(sorted(chart.items(), key=_by_rows)), chart)

@@ -83,6 +83,13 @@ def remarks(answer: Schemes) -> tuple[Text, ...]:
     if answer.left_out:
         lengths = joined([math(text) for text in answer.left_out])
         notes.append((Words("left out of the loci, never zero: "), *lengths))
+    if any(s.deeper and not s.undecided for s in answer.schemes if s.admissible):
+        notes.append(
+            words(
+                "on hypersurfaces; where several conditions hold at once some schemes "
+                "may fail too: singularities --actuated … searches there"
+            )
+        )
     if not answer.complete:
         reason = answer.reason or "not every locus was expanded"
         notes.append(words(f"undecided: the loci in full. {reason}"))
@@ -121,8 +128,12 @@ def by_simplicity(answer: Schemes) -> tuple[Scheme, ...]:
 
 
 def locus(scheme: Scheme) -> Text:
-    """A scheme's locus as a product of powers."""
+    """A scheme's locus as a product of powers, or what is known of it."""
     if not scheme.locus:
+        if scheme.undecided:
+            return words("undecided")
+        if scheme.deeper:
+            return words("on no hypersurface")
         return words("never singular")
     powers = scheme.multiplicities or (1,) * len(scheme.locus)
     factors = tuple(

@@ -11,11 +11,15 @@ class Scheme:
 
     Attributes:
         generic_rank: Of the global wrench system (constraint plus actuation).
-        locus: Irreducible factors of the determinant of the passive twists.
+        locus: The hypersurfaces on which it fails: irreducible factors common to all
+            maximal minors of the passive twists.
         multiplicities: One per entry of ``locus``.
         idle: Those of ``locus`` on which a limb idles and the platform stays fixed.
         reason: Why it is never admissible; None for admissible schemes.
         balanced: The same number of freedoms from every limb.
+        undecided: Whether ``locus`` was not found, or not all of it.
+        deeper: Whether it may fail elsewhere too, where several conditions hold at
+            once; false where ``locus`` is proved to be all.
         mirror: The scheme that the mechanism's symmetry maps this one to; empty where
             no symmetry is known.
     """
@@ -28,6 +32,8 @@ class Scheme:
     idle: tuple[str, ...] = ()
     reason: str | None = None
     balanced: bool = False
+    undecided: bool = False
+    deeper: bool = False
     mirror: tuple[str, ...] = ()
 
 

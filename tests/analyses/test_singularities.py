@@ -172,7 +172,7 @@ def test_exact_ranks_on_strata(stratum: str) -> None:
         assert state.limbs == (known["rank_right"], known["rank_left"])
         assert state.loop == known["rank_loop"]
         assert state.mobility == known["mobility"]
-        assert state.wrench_dimension == known["dim_W"]
+        assert 6 - state.platform_freedom == known["dim_W"]
         assert state.platform_freedom == known["platform_twist_dimension"]
     at = posture_on(equations or ["0*q1"], nao.VARIABLES, nao.LENGTHS, 1)
     found = freedoms(nao.limbs_at(at), 1e-6)

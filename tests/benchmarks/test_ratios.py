@@ -127,7 +127,7 @@ def expanded(assembly: Assembly) -> list[Any]:
     system = PassiveSystem(assembly)
     found: list[Any] = []
     for passive in every_scheme(assembly):
-        found.extend(system.maximal_minors(passive) or ())
+        found.extend(system.maximal_minors(passive))
     return found
 
 

@@ -108,8 +108,10 @@ def test_passive_determinants_are_those_of_floats(
         data.draw(st.permutations(order), label="order")[:6], key=order.index
     )
     assembly = Assembly(system.mechanism())
-    minors = PassiveSystem(assembly).maximal_minors(passive)
-    assert minors is not None
+    passives = PassiveSystem(assembly)
+    assume(passives.fills(passive))
+    fall = passives.generic_state(passive).loop < 6
+    minors = [] if fall else list(passives.maximal_minors(passive))
     chosen = [[joint in passive for joint in joints] for joints in system.joints]
     ring = assembly.common_twists.ring
     for number in range(3):
