@@ -15,8 +15,8 @@ import pytest
 from screwkit.case import bundled_cases, load
 from screwkit.claims import agreement, checked_claims, value_at
 from screwkit.mechanism.model import Claim
+from screwkit.metric_questions import manipulability
 from screwkit.questions import (
-    manipulability,
     mobility,
     schemes,
     screws,

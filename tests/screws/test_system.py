@@ -67,7 +67,7 @@ def test_the_wrenches_of_a_limb_are_reciprocal_to_its_twists(name: str) -> None:
 
 
 def out_of_plane(limb: Any) -> WrenchSystem:
-    """The couples about x and y and the force along z, reciprocal to any plane twist."""
+    """Couples about x and y and the force along z: reciprocal to any plane twist."""
     one, zero = (limb.wrenches.ring.context.constant(n) for n in (1, 0))
     columns = tuple(
         tuple(one if place == unit else zero for place in range(6))
