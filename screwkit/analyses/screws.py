@@ -326,7 +326,7 @@ def _at_rest(
     columns = out_of_plane(assembly, twists=True)
     wrenches = Finder(framed, assembly.mechanism.base).basis(
         columns,
-        size_of(assembly),
+        assembly.dimension,
         lambda: [FoundScrew(c) for c in reciprocal_basis(framed.ring, columns).columns],
     )
     return PlatformScrews(
