@@ -38,6 +38,7 @@ from screwkit.options import (
     Turn,
     Variant,
     Vary,
+    Work,
     Workers,
 )
 from screwkit.requests import freedoms_in, names_in, request_of, settings
@@ -194,6 +195,7 @@ def schemes(
     size: Size = None,
     candidates: Candidates = None,
     balanced: Balanced = False,
+    work: Work = None,
     every: Every = False,
     output: Annotated[
         Path | None,
@@ -216,6 +218,7 @@ def schemes(
         "schemes",
         locals(),
         size=size,
+        work=work,
         candidates=None
         if candidates is None
         else list(freedoms_in("--candidates", candidates)),

@@ -87,6 +87,10 @@ Size = Annotated[int | None, typer.Option(min=0, help="Actuated freedoms in a sc
 Candidates = Annotated[
     str | None, typer.Option(metavar="1,2,3", help="Freedoms to choose from.")
 ]
+Work = Annotated[
+    int | None,
+    typer.Option(metavar="TERMS", min=0, help="Expand no more for loci than this."),
+]
 Balanced = Annotated[
     bool, typer.Option("--balanced", help="Same number from every limb.")
 ]

@@ -143,13 +143,25 @@ def schemes(
     candidates: Sequence[str] | None = None,
     balanced: bool = False,
     progress: Progress = silent,
+    work: int | None = None,
 ) -> Schemes:
-    """Every actuation scheme of a size, admissible or why not."""
+    """Every actuation scheme of a size, admissible or why not.
+
+    Args:
+        case: The mechanism.
+        size: Number of actuated freedoms; the platform's twist dimension by default.
+        candidates: Joints that may be actuated; all by default.
+        balanced: List only schemes with the same number from every limb.
+        progress: Told about each stage.
+        work: Terms of determinants to expand for all loci together; 1 000 000 by
+            default.  What is left is undecided.
+    """
     from screwkit.analyses import schemes as analysis  # noqa: PLC0415
 
     case.need_held_platform()
     _need_exact_posture(case)
-    return analysis.schemes(case.assembly, size, candidates, balanced, progress)
+    terms = analysis.WORK if work is None else work
+    return analysis.schemes(case.assembly, size, candidates, balanced, progress, terms)
 
 
 def analyze(

@@ -17,10 +17,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from math import gcd, lcm
 from typing import Any, TypeAlias
 
-from flint import Ordering, fmpq, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly_ctx, fmpq_poly
 
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.evaluation import add_angles, evaluate, multiply_angle
@@ -318,13 +317,11 @@ def primitive(value: Polynomial) -> Polynomial:
 
 def content(value: Polynomial) -> Any:
     """The rational by which `primitive` divides, with the sign of the first term."""
-    numerator, denominator = 0, 1
     coefficients = value.coeffs()
-    for coefficient in coefficients:
-        numerator = gcd(numerator, int(coefficient.p))
-        denominator = lcm(denominator, int(coefficient.q))
+    # As one polynomial they get their common denominator in one sweep of FLINT's.
+    together = fmpq_poly(coefficients)
     sign = -1 if coefficients[0] < 0 else 1
-    return fmpq(sign * numerator, denominator)
+    return fmpq(sign * together.numer().content(), together.denom())
 
 
 def _polynomial_root(value: Polynomial) -> Polynomial | None:

@@ -6,8 +6,8 @@ References: [LongCaroKhalil2012] §5.2.2.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import combinations, islice
 from math import comb
@@ -17,7 +17,8 @@ from screwkit.algebra.factors import Factor, Factored, factor
 from screwkit.algebra.names import counted
 from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import equation_text
-from screwkit.algebra.trigonometric import primitive
+from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.analyses.mirror_classes import mirror_classes, with_mirror
 from screwkit.errors import TooLargeError, UnknownNameError
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.mirror import mirrored_joints
@@ -25,12 +26,11 @@ from screwkit.loci.actuation import passive_joints
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.passive import PassiveState, PassiveSystem, RankTable
 from screwkit.loci.pieces import Piece
-from screwkit.loci.witness import witness
+from screwkit.loci.witness import Witnesses
 from screwkit.progress import Progress, silent
 from screwkit.results.schemes import (
     Balanced,
     LocusFactor,
-    MirrorClasses,
     Refusal,
     Scheme,
     Schemes,
@@ -40,6 +40,8 @@ _NAMED = 80  # terms; no statement of the catalogue is longer
 _LOOKED_AT = 60  # minors of one scheme
 _REPORT = 50  # schemes between two words of progress
 LARGEST = 20_000  # schemes; beyond, candidates have to be named
+WORK = 1_000_000
+"""Terms of determinants that are expanded for all loci together, shortest first."""
 
 
 def schemes(
@@ -48,6 +50,7 @@ def schemes(
     candidates: Sequence[str] | None = None,
     balanced: bool = False,
     progress: Progress = silent,
+    work: int = WORK,
 ) -> Schemes:
     """Answer ``schemes``.
 
@@ -57,6 +60,8 @@ def schemes(
         candidates: Joints that may be actuated; all by default.
         balanced: List only schemes with the same number from every limb.
         progress: Told about each stage.
+        work: Terms to expand for all loci together; those of the schemes that are left
+            are undecided, and whether these are admissible is decided nevertheless.
 
     Raises:
         UnknownNameError: If a candidate is no joint of a limb, or there are fewer of
@@ -77,7 +82,7 @@ def schemes(
             f"{total} schemes of {number} among {len(chosen)} joints are more than "
             f"{LARGEST}; name fewer with --candidates"
         )
-    work = _Work(assembly, system)
+    shared = _Work(assembly, system, work)
     progress("schemes", f"{total} schemes of {number} joints")
     wanted_schemes = [
         actuated
@@ -87,14 +92,19 @@ def schemes(
     states = system.generic_states(
         [passive_joints(assembly, actuated) for actuated in wanted_schemes]
     )
-    listed = []
-    for count, (actuated, state) in enumerate(zip(wanted_schemes, states, strict=True)):
+    asked = sorted(
+        zip(wanted_schemes, states, strict=True),
+        key=lambda item: system.size(passive_joints(assembly, item[0])),
+    )
+    by_actuated: dict[tuple[str, ...], Scheme] = {}
+    for count, (actuated, state) in enumerate(asked):
         if count and count % _REPORT == 0:
             progress("schemes", f"{count} of {len(wanted_schemes)} schemes")
-        listed.append(_scheme(work, actuated, state))
-    progress("meanings", f"{len(work.counts)} factors")
+        by_actuated[actuated] = _scheme(shared, actuated, state)
+    listed = [by_actuated[actuated] for actuated in wanted_schemes]
+    progress("meanings", f"{len(shared.counts)} factors")
     pairs = mirrored_joints(assembly)
-    listed = [_with_mirror(scheme, pairs) for scheme in listed]
+    listed = [with_mirror(scheme, pairs) for scheme in listed]
     admissible = [scheme for scheme in listed if scheme.admissible]
     even = [scheme for scheme in listed if scheme.balanced]
     divides = number % len(assembly.limbs) == 0 if assembly.limbs else False
@@ -108,12 +118,12 @@ def schemes(
         if divides
         else None,
         schemes=tuple(listed),
-        factors=work.factors(),
+        factors=shared.factors(),
         refusals=_refusals(listed),
-        mirror=_mirror_classes(listed, pairs),
-        left_out=tuple(sorted(work.left_out)),
-        complete=not work.open,
-        reason=work.open,
+        mirror=mirror_classes(listed, pairs),
+        left_out=tuple(sorted(shared.left_out)),
+        complete=not any(scheme.undecided for scheme in listed),
+        reason=_open(listed, shared),
     )
 
 
@@ -132,10 +142,10 @@ class _Work:
 
     assembly: Assembly
     system: PassiveSystem
+    left: int
     counts: Counter[str] = field(default_factory=Counter)
     seen: dict[str, Factor] = field(default_factory=dict)
     left_out: set[str] = field(default_factory=set)
-    open: str = ""
     tables: dict[str, list[RankTable]] = field(default_factory=dict)
     reasons: dict[frozenset[str], str] = field(default_factory=dict)
 
@@ -143,6 +153,7 @@ class _Work:
         framed = self.assembly.common_twists
         self.ring = framed.ring
         self.root = self.assembly.root(framed.ring)
+        self.witnesses = Witnesses(self.assembly, self.system)
         self.library = self.assembly.library(framed.ring)
         self.axes = {
             f.key
@@ -154,9 +165,7 @@ class _Work:
         """The factors on which the passive twists become dependent."""
         if len(self.assembly.limbs) < 2:
             return _Locus(())
-        minors = sorted(
-            islice(self.system.maximal_minors(passive), _LOOKED_AT), key=len
-        )
+        minors = self._minors(passive)
         if not minors:
             return _Locus((), undecided=True)
         whole = self.system.fills(passive) and len(minors) == 1
@@ -183,6 +192,14 @@ class _Work:
         # Where one minor vanishes on nothing else, nothing else fails.
         all_of_it = any(own.keys() <= kept.keys() for own in seen)
         return _Locus(tuple(kept.values()), undecided, not all_of_it)
+
+    def _minors(self, passive: Sequence[str]) -> list[Polynomial]:
+        """Minors of the passive columns, shortest first, while there is work left."""
+        if self.left <= 0:
+            return []
+        minors = list(islice(self.system.maximal_minors(passive), _LOOKED_AT))
+        self.left -= sum(map(len, minors))
+        return sorted(minors, key=len)
 
     def _can_vanish(self, f: Factor) -> bool:
         if f.key in self.axes:
@@ -298,11 +315,9 @@ def _scheme(work: _Work, actuated: tuple[str, ...], state: PassiveState) -> Sche
     rank = assembly.dimension - state.platform_freedom
     balanced = _is_balanced(assembly, actuated)
     if state.platform_freedom:
-        reason = witness(assembly, work.system, passive)
+        reason = work.witnesses.of(passive)
         return Scheme(actuated, False, rank, reason=reason, balanced=balanced)
     found = work.locus(passive)
-    if found.undecided:
-        work.open = "minors of some schemes are too long to expand"
     locus = sorted(
         found.factors, key=lambda item: (len(item[0].equations[0]), item[0].key)
     )
@@ -328,6 +343,20 @@ def _scheme(work: _Work, actuated: tuple[str, ...], state: PassiveState) -> Sche
     )
 
 
+def _open(listed: Sequence[Scheme], work: _Work) -> str:
+    """Why not every locus was found."""
+    left = sum(scheme.undecided for scheme in listed)
+    if not left:
+        return ""
+    schemes_left = f"{left} of {len(listed)} schemes"
+    if work.left > 0:
+        return f"determinants of {schemes_left} are too long to expand"
+    return (
+        f"the loci of {schemes_left} are left, the longest ones; ask for one of them "
+        f"with singularities --actuated, or for more with --work"
+    )
+
+
 def _is_balanced(assembly: Assembly, actuated: Sequence[str]) -> bool:
     counts = {sum(j in actuated for j in limb.joints) for limb in assembly.limbs}
     return len(counts) == 1
@@ -343,36 +372,3 @@ def _refusals(listed: Sequence[Scheme]) -> tuple[Refusal, ...]:
         for reason, group in groups.items()
     ]
     return tuple(sorted(refusals, key=lambda refusal: -refusal.schemes))
-
-
-def _with_mirror(scheme: Scheme, pairs: Sequence[tuple[str, str]]) -> Scheme:
-    if not pairs:
-        return scheme
-    other = _mirror_map(pairs)
-    order = list(other)
-    image = sorted((other[name] for name in scheme.actuated), key=order.index)
-    return replace(scheme, mirror=tuple(image))
-
-
-def _mirror_map(pairs: Sequence[tuple[str, str]]) -> Mapping[str, str]:
-    return {**dict(pairs), **{b: a for a, b in pairs}}
-
-
-def _mirror_classes(
-    listed: Sequence[Scheme], pairs: Sequence[tuple[str, str]]
-) -> MirrorClasses | None:
-    if not pairs:
-        return None
-
-    def classes(some: Sequence[Scheme]) -> tuple[int, int]:
-        own = sum(set(s.mirror) == set(s.actuated) for s in some)
-        return (len(some) + own) // 2, own
-
-    even = [s for s in listed if s.balanced]
-    return MirrorClasses(
-        tuple(pairs),
-        classes(listed),
-        classes([s for s in listed if s.admissible]),
-        classes(even),
-        classes([s for s in even if s.admissible]),
-    )

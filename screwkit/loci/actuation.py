@@ -19,7 +19,7 @@ from screwkit.loci.meanings import Meanings
 from screwkit.loci.passive import PassiveState, PassiveSystem
 from screwkit.loci.pieces import Piece, lies_in, pieces_of
 from screwkit.loci.rank_drop import Column, rank_drop
-from screwkit.loci.witness import witness
+from screwkit.loci.witness import Witnesses
 from screwkit.loci.wrench_sums import dependent_zeros
 
 _LONGEST = 60_000  # terms of a polynomial that is factored
@@ -60,7 +60,7 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
     generic = system.generic_state(passive)
     freedom = generic.platform_freedom
     if freedom:
-        why = witness(assembly, system, passive)
+        why = Witnesses(assembly, system).of(passive)
         return ActuationLocus(False, freedom, True, (), (), None, why)
     framed = assembly.common_twists
     root, library = assembly.root(framed.ring), assembly.library(framed.ring)

@@ -19,10 +19,13 @@ from screwkit.algebra.modular import independent, rank
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import Assembly
-from screwkit.loci.wrench_sums import COSTLIEST, cost, filling_units, sum_minors
+from screwkit.loci.wrench_sums import COSTLIEST, Units, cost, filling_units, sum_minors
 
 MINORS = 4
 """Minors beyond the first that a locus is looked at with."""
+
+CHEAP = 20_000
+"""Products of terms in a minor; no cheaper one is looked for."""
 
 CHOICES = 300
 """Choices of columns of which each gives a determinant."""
@@ -213,6 +216,11 @@ class PassiveSystem:
         """Whether these columns just fill the loop equations: one determinant."""
         return len(passive) == self.height * (len(self.assembly.limbs) - 1)
 
+    def size(self, passive: Collection[str]) -> int:
+        """Products of terms that a determinant of these columns may take."""
+        extensors = [self._own(i, passive) for i in range(len(self.assembly.limbs))]
+        return cost(extensors, ((),) * len(extensors))
+
     def maximal_minors(self, passive: Collection[str]) -> Iterator[Polynomial]:
         """Polynomials that all vanish where these columns become dependent.
 
@@ -247,21 +255,33 @@ class PassiveSystem:
         if len(self.assembly.limbs) < 2 or self._sample is None:
             return
         residues, prime = self._sample
-        chosen: list[list[str]] = []
-        for limb in self.assembly.limbs:
-            own = [joint for joint in limb.joints if joint in passive]
-            kept = independent([residues[joint] for joint in own], prime)
-            chosen.append([own[number] for number in kept])
-        extensors = [self._extensor(i, own) for i, own in enumerate(chosen)]
-        at_point = [[residues[joint] for joint in own] for own in chosen]
-        choices = sorted(
-            filling_units(at_point, self.height, prime),
-            key=lambda units: (cost(extensors, units), units),
-        )
+        limbs = range(len(self.assembly.limbs))
+        extensors = [self._own(i, passive) for i in limbs]
+        at_point = [
+            [residues[joint] for joint in self._spanning(i, passive)] for i in limbs
+        ]
+        choices: list[Units] = []
+        for units in filling_units(at_point, self.height, prime):
+            choices.append(units)
+            if len(choices) >= MINORS and cost(extensors, units) < CHEAP:
+                break
+        choices.sort(key=lambda units: (cost(extensors, units), units))
         for units in choices[:MINORS]:
             if cost(extensors, units) > COSTLIEST:
                 return
             yield from sum_minors(ring, extensors, units, self.height)
+
+    def _own(self, limb: int, passive: Collection[str]) -> Mapping[int, Polynomial]:
+        """The extensor of what a limb's passive twists span."""
+        return self._extensor(limb, self._spanning(limb, passive))
+
+    def _spanning(self, limb: int, passive: Collection[str]) -> list[str]:
+        """Passive joints of a limb that are independent at the sample."""
+        own = [j for j in self.assembly.limbs[limb].joints if j in passive]
+        if self._sample is None:
+            return own
+        residues, prime = self._sample
+        return [own[k] for k in independent([residues[j] for j in own], prime)]
 
     @cached_property
     def _sample(self) -> tuple[dict[str, list[int]], int] | None:

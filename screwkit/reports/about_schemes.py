@@ -115,10 +115,10 @@ def refusals_table(answer: Schemes) -> Table:
     return Table(columns, rows)
 
 
-def complexity(scheme: Scheme) -> tuple[int, int]:
-    """Total number of terms and length of a locus: what is easy to read comes first."""
+def complexity(scheme: Scheme) -> tuple[bool, int, int]:
+    """What is easy to read comes first: terms and length; what is undecided last."""
     terms = sum(term_count(factor) for factor in scheme.locus)
-    return terms, sum(map(len, scheme.locus))
+    return scheme.undecided, terms, sum(map(len, scheme.locus))
 
 
 def by_simplicity(answer: Schemes) -> tuple[Scheme, ...]:
