@@ -54,11 +54,19 @@ def _motion_cases(case: Case) -> Callable[[str], tuple[MotionCase, ...]] | None:
 
 
 def _need_exact_posture(case: Case) -> None:
-    """Refuse tables that are closed only where numbers put them.
+    """Refuse postures that are known in numbers alone.
 
     Raises:
-        UndecidedError: If the table is not closed at 0.
+        UndecidedError: If loops tie the joint variables that were given, or the table
+            is not closed at 0.
     """
+    if case.wanted:
+        raise UndecidedError(
+            f"loops tie {', '.join(case.wanted)} to other joint variables, so that the "
+            f"posture asked for is known in numbers alone, and nothing can be proved "
+            f"there: mobility and manipulability answer at it; without --at this "
+            f"question is answered for every posture that the file describes"
+        )
     if case.mechanism.geometry != "mdh" or not case.network.tied:
         return
     from screwkit.analyses.moved import closed_table  # noqa: PLC0415

@@ -5,6 +5,7 @@ Texts stay texts here: names and values are looked up where the file is read.
 
 from __future__ import annotations
 
+import csv
 import sys
 from math import isfinite
 from typing import Any
@@ -67,12 +68,13 @@ def names_in(text: str) -> tuple[str, ...]:
 
 
 def freedoms_in(option: str, text: str) -> tuple[str, ...]:
-    """Freedoms parted by commas, each once.
+    """Freedoms parted by commas, each once; one with a comma stands in quotes.
 
     Raises:
         typer.BadParameter: If a name is empty or stands twice.
     """
-    names = tuple(name.strip() for name in text.split(","))
+    rows = list(csv.reader([text], skipinitialspace=True)) or [[""]]
+    names = tuple(name.strip() for name in rows[0])
     for position, name in enumerate(names):
         if not name:
             raise typer.BadParameter(

@@ -20,6 +20,7 @@ from reports import samples
 from screwkit import catalogue, cli, guard, terminal
 from screwkit.errors import Fault
 from screwkit.reports.records import json_schema_of_results
+from screwkit.requests import freedoms_in
 from screwkit.results.screws import Screws
 
 ROOT = Path(__file__).parent.parent
@@ -239,6 +240,10 @@ def test_usage_is_2_in_one_line(
     assert said in errors
     assert len(errors.splitlines()) == 1
     assert json.loads(output)["error"]["kind"] == "usage"
+
+
+def test_a_name_with_a_comma_stands_in_quotes() -> None:
+    assert freedoms_in("--actuated", '"a,b", left hip') == ("a,b", "left hip")
 
 
 def test_linear_order_swaps_both_halves(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from math import acos, atan2, cos, hypot, pi, sin, sqrt, tan
 from pathlib import Path
@@ -14,7 +14,7 @@ from loci.numeric import Array
 
 import screwkit as sk
 from screwkit import cli
-from screwkit.errors import ExpressionError, UnknownNameError
+from screwkit.errors import ExpressionError, UndecidedError, UnknownNameError
 from screwkit.questions import mobility
 from screwkit.reports.records import from_json, to_json
 from screwkit.results.mobility import AtPosture, Mobility
@@ -282,3 +282,12 @@ def test_a_held_angle_in_symbols_takes_the_values_of_the_file() -> None:
     assert answer.at_values is not None
     assert answer.at_values.loop_rank == 5
     assert answer.at_values.platform.motion_type == answer.platform.motion_type
+
+
+@pytest.mark.parametrize("question", [sk.screws, sk.singularities, sk.schemes])
+def test_what_is_proved_is_not_asked_where_only_numbers_are_known(
+    question: Callable[[sk.Case], object],
+) -> None:
+    moved = sk.load("four_bar_planar", at={"qA": "3/10"})
+    with pytest.raises(UndecidedError, match="loops tie qA to other joint variables"):
+        question(moved)
