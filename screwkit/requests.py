@@ -73,8 +73,8 @@ def freedoms_in(option: str, text: str) -> tuple[str, ...]:
     Raises:
         typer.BadParameter: If a name is empty or stands twice.
     """
-    rows = list(csv.reader([text], skipinitialspace=True)) or [[""]]
-    names = tuple(name.strip() for name in rows[0])
+    (row,) = csv.reader([text], skipinitialspace=True)
+    names = tuple(name.strip() for name in row or [""])
     for position, name in enumerate(names):
         if not name:
             raise typer.BadParameter(
