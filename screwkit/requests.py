@@ -73,7 +73,13 @@ def freedoms_in(option: str, text: str) -> tuple[str, ...]:
     Raises:
         typer.BadParameter: If a name is empty or stands twice.
     """
-    (row,) = csv.reader([text], skipinitialspace=True)
+    try:
+        (row,) = csv.reader([text], skipinitialspace=True, strict=True)
+    except csv.Error:
+        raise typer.BadParameter(
+            f"{option} {text!r}: freedoms are parted by commas, and one with a comma "
+            f'in its name stands in quotes, "a,b"'
+        ) from None
     names = tuple(name.strip() for name in row or [""])
     for position, name in enumerate(names):
         if not name:

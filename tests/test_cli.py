@@ -210,6 +210,8 @@ def test_refusals_have_their_codes(
         (["mobility", "a.yaml", "--actuated", "A,B, A"], "names 'A' twice"),
         (["mobility", "a.yaml", "--actuated", ""], "has an empty name"),
         (["mobility", "a.yaml", "--actuated", "A,,B"], "has an empty name"),
+        (["mobility", "a.yaml", "--actuated", 'A,"B'], "stands in quotes"),
+        (["mobility", "a.yaml", "--actuated", "A\nB"], "stands in quotes"),
         (["schemes", "a.yaml", "--candidates", "A,"], "--candidates 'A,' has an empty"),
         (["mobility", "a.yaml", "--memory", "inf"], "--memory inf is no number"),
         (["mobility", "a.yaml", "--timeout", "inf"], "--timeout inf is no number"),
