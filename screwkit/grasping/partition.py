@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from screwkit.algebra.modular import annihilator, echelon
+from screwkit.algebra.residue_matrices import Rows, product
 from screwkit.grasping.exact_grasp import ExactGrasp
 
 BLOCKS: Final = ("a_r", "p_r", "o_i", "po_i", "ap_c", "ao_c", "apo_c")
@@ -59,8 +60,8 @@ class Blocks:
 def blocks_of(grasp: ExactGrasp) -> Blocks:
     """The partition at an exact point.
 
-    The basis of a block depends on the spaces alone: reduced echelon vectors, with what
-    earlier blocks can take over taken out.
+    The basis of a block depends on the spaces alone: reduced echelon vectors of its
+    own motions, with those that are sums of earlier blocks' motions taken out.
     """
     prime, width = grasp.prime, len(grasp.matrices.freedoms) + grasp.twists
     places = _places(grasp)
@@ -96,17 +97,27 @@ def _spread(vector: Sequence[int], where: Sequence[int], width: int) -> list[int
     return whole
 
 
-def _beyond(
-    spanned: Sequence[Sequence[int]], vectors: Sequence[Sequence[int]], prime: int
-) -> list[list[int]]:
-    """Basis of what ``vectors`` add to a space given in reduced echelon form."""
-    pivots = [next(i for i, x in enumerate(row) if x) for row in spanned]
+def _beyond(spanned: Rows, vectors: Rows, prime: int) -> list[list[int]]:
+    """Basis of what ``vectors`` add to a space, out of their own span.
+
+    Reduced by what their span has in common with the space, and by nothing else of it:
+    what does not move in these vectors does not move in the basis.
+    """
+    if not vectors:
+        return []
+    both = [*vectors, *spanned]
+    relations = annihilator(
+        [list(c) for c in zip(*both, strict=True)], len(both), prime
+    )
+    own = [relation[: len(vectors)] for relation in relations]
+    shared = echelon(product(own, vectors, prime), prime)
+    pivots = [next(i for i, x in enumerate(row) if x) for row in shared]
     reduced = []
     for vector in vectors:
         left = list(vector)
-        for pivot, row in zip(pivots, spanned, strict=True):
-            if left[pivot]:
-                factor = left[pivot]
+        for pivot, row in zip(pivots, shared, strict=True):
+            factor = left[pivot]
+            if factor:
                 left = [
                     (x - factor * y) % prime for x, y in zip(left, row, strict=True)
                 ]
