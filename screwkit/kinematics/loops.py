@@ -20,6 +20,7 @@ import numpy as np
 
 from screwkit.algebra.batch import Array, BatchRing
 from screwkit.algebra.evaluation import cosine_sine, evaluate
+from screwkit.algebra.names import did_you_mean
 from screwkit.algebra.ring import Ring, S
 from screwkit.conventions import SCREW_DIMENSION
 from screwkit.errors import ExpressionError, UndecidedError, UnknownNameError
@@ -228,8 +229,14 @@ def ring_at(mechanism: Mechanism, posture: Posture) -> BatchRing:
 
     Raises:
         ExpressionError: If a parameter's value is neither a number nor an angle.
-        UnknownNameError: If it needs a symbol that has no value.
+        UnknownNameError: If it needs a symbol that has no value, or ``posture`` names
+            what is no symbol.
     """
+    names = [p.name for p in mechanism.parameters] + [*mechanism.joint_variables]
+    for name in posture:
+        if name not in names:
+            hint = did_you_mean(name, names)
+            raise UnknownNameError(f"no symbol {name!r} in {mechanism.name}{hint}")
     values: dict[str, Array | float] = dict(posture)
     for parameter in mechanism.parameters:
         if parameter.value is None or parameter.name in posture:
