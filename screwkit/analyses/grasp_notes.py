@@ -71,9 +71,9 @@ def units_note(
 def differences(at: GraspPosture, answers: PostureAnswers) -> tuple[str, ...]:
     """What is special about the posture, against generic values of the symbols."""
     found = []
-    generic = at.generic
-    if generic is not None and at.pair is not None:
-        before, here = generic.ranks, at.pair.grasps[0].ranks
+    family = at.family
+    if family is not None and at.pair is not None:
+        before, here = family.generic.ranks, at.pair.grasps[0].ranks
         for name, words in (
             ("indeterminacy", "motions of the object with the actuators locked"),
             ("redundancy", "actuated motions at which the object can rest"),

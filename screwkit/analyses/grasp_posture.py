@@ -18,8 +18,9 @@ from screwkit.analyses.moved import closed_table
 from screwkit.analyses.partition import GraspPair
 from screwkit.errors import UndecidedError
 from screwkit.finite.moved_posture import Arrival, arrival_at
-from screwkit.grasping.exact_grasp import ExactGrasp, Ranks, exact_grasps
+from screwkit.grasping.exact_grasp import Ranks, exact_grasps
 from screwkit.grasping.matrices import GraspMatrices
+from screwkit.grasping.symbolic_blocks import GraspFamily
 from screwkit.kinematics.exact_postures import at_zero
 from screwkit.kinematics.network import Network
 from screwkit.kinematics.placement import why_tied
@@ -57,12 +58,12 @@ class GraspPosture:
         return None if self.pair is None else self.pair.grasps[0].ranks
 
     @cached_property
-    def generic(self) -> ExactGrasp | None:
-        """The grasp at a random point of the symbols; None where there are none."""
+    def family(self) -> GraspFamily | None:
+        """The grasp for all values of the symbols; None where there are none."""
         mechanism = self.symbolic
         free = mechanism.geometry != "posture" and not why_tied(mechanism)
         if mechanism.parameters or (free and mechanism.joint_variables):
-            return exact_grasps(mechanism, (1,))[0]
+            return GraspFamily(mechanism, exact_grasps(mechanism, (1,))[0])
         return None
 
     def note(self, gap: float | None) -> PostureNote:

@@ -25,7 +25,6 @@ from screwkit.analyses.grasp_notes import (
 from screwkit.analyses.grasp_posture import GraspPosture, grasp_posture
 from screwkit.analyses.partition import gamma_of, motion_blocks
 from screwkit.grasping.exact_grasp import Ranks
-from screwkit.grasping.partition import blocks_of
 from screwkit.grasping.symbolic_indices import kinematic_polynomial
 from screwkit.kinematics.network import Network
 from screwkit.mechanism.graph import limbs
@@ -135,7 +134,7 @@ def _partition(at: GraspPosture, answers: PostureAnswers) -> Partition:
     blocks: tuple[MotionBlock, ...] = ()
     symbolic = False
     if at.pair is not None:
-        blocks, symbolic = motion_blocks(at.symbolic, at.generic, at.pair)
+        blocks, symbolic = motion_blocks(at.family, at.pair)
     return Partition(
         mobility,
         mobility - redundancy,
@@ -149,10 +148,9 @@ def _partition(at: GraspPosture, answers: PostureAnswers) -> Partition:
 
 def _symbolic(at: GraspPosture) -> SymbolicIndices:
     """Where the posture is one of a family."""
-    if at.generic is None:
+    if at.family is None:
         return SymbolicIndices()
-    blocks = blocks_of(at.generic)
-    return SymbolicIndices(kinematic_polynomial(at.symbolic, at.generic, blocks))
+    return SymbolicIndices(kinematic_polynomial(at.family))
 
 
 def _unnamed(gamma: Gamma) -> tuple[MotionBlock, ...]:

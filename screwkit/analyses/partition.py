@@ -20,10 +20,9 @@ from screwkit.analyses.screw_texts import ScrewTexts, TextReader
 from screwkit.grasping.exact_grasp import ExactGrasp, exact_grasps, reconstruction
 from screwkit.grasping.partition import BLOCKS, Blocks, blocks_of
 from screwkit.grasping.symbolic_blocks import (
+    GraspFamily,
     Vector,
     any_is_short,
-    polynomial_matrices,
-    symbolic_blocks,
 )
 from screwkit.kinematics.network import Network
 from screwkit.mechanism.model import Mechanism
@@ -69,24 +68,21 @@ def gamma_of(blocks: Blocks) -> Gamma:
 
 
 def motion_blocks(
-    mechanism: Mechanism, generic: ExactGrasp | None, at: GraspPair
+    family: GraspFamily | None, at: GraspPair
 ) -> tuple[tuple[MotionBlock, ...], bool]:
     """The blocks that are not empty, and whether their vectors hold for all values.
 
     Args:
-        mechanism: With its symbols.
-        generic: At random points of the symbols, if the vectors are wanted for all
-            their values; used where the partition there is the same.
+        family: For all values of the symbols, if the vectors are wanted so; used where
+            the partition there is the same.
         at: Where the blocks are asked for and their motions are named.
     """
     vectors: dict[str, tuple[Vector | None, ...]] = {}
     ring = None
-    if generic is not None:
-        blocks = blocks_of(generic)
-        alike = blocks.dimensions == at.blocks[0].dimensions
-        if alike and any_is_short(blocks):
-            ring, matrices = polynomial_matrices(mechanism)
-            vectors = dict(symbolic_blocks(ring, matrices, generic, blocks))
+    if family is not None:
+        alike = family.blocks.dimensions == at.blocks[0].dimensions
+        if alike and any_is_short(family.blocks):
+            ring, vectors = family.matrices[0], dict(family.vectors)
     found, symbolic = [], ring is not None
     for name in BLOCKS:
         own = []
@@ -110,13 +106,15 @@ def generic_blocks(
     network: Network, generic: GraspPair
 ) -> tuple[tuple[MotionBlock, ...], bool]:
     """The blocks for generic values, their motions named at the file's where alike."""
-    symbols = generic.grasps[0] if network.has_symbols else None
+    family = None
+    if network.has_symbols:
+        family = GraspFamily(network.mechanism, generic.grasps[0])
     at = generic
     if network.at_values is not None:
         there = GraspPair.of(network.at_values.mechanism)
         if there.blocks[0].dimensions == generic.blocks[0].dimensions:
             at = there
-    return motion_blocks(network.mechanism, symbols, at)
+    return motion_blocks(family, at)
 
 
 def _is_short(vector: Vector) -> bool:

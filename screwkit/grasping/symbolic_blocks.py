@@ -10,19 +10,24 @@ References: [BicchiMelchiorri] eqs. (8)-(9), [BicchiPrattichizzo] eq. (5).
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import Final, TypeAlias
 
+from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.minors import minors_of
 from screwkit.algebra.modular import rank
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.grasping.exact_grasp import ExactGrasp
 from screwkit.grasping.matrices import GraspMatrices, grasp_matrices
-from screwkit.grasping.partition import BLOCKS, Blocks
+from screwkit.grasping.partition import BLOCKS, Blocks, blocks_of
 from screwkit.mechanism.model import Mechanism
 from screwkit.screw.nullspace import shortened
 
 Vector: TypeAlias = tuple[Polynomial, ...]
+
+VALUE: Final = "x_"
+"""The value of an index as a symbol; none of a file ends so."""
 
 LARGEST: Final = 12
 """Entries of a vector up to which its minors are expanded."""
@@ -43,6 +48,33 @@ def polynomial_matrices(
     grasp_matrices(mechanism, seen)
     ring = TrigonometricRing(seen)
     return ring, grasp_matrices(mechanism, ring)
+
+
+class GraspFamily:
+    """A grasp for all values of its symbols: ranks at once, vectors when asked for."""
+
+    def __init__(self, mechanism: Mechanism, generic: ExactGrasp) -> None:
+        """Take a mechanism with symbols, and its grasp at a random point of them."""
+        self.mechanism = mechanism
+        self.generic = generic
+        self.blocks = blocks_of(generic)
+
+    @cached_property
+    def matrices(self) -> tuple[TrigonometricRing, GraspMatrices[Polynomial]]:
+        """J and Gᵀ over a ring that has the weights and `VALUE` too."""
+        seen = SurveyRing()
+        grasp_matrices(self.mechanism, seen)
+        for rows in self.mechanism.weights.values():
+            for entry in (x for row in rows for x in row):
+                evaluate(entry, seen)
+        seen.symbol(VALUE)
+        ring = TrigonometricRing(seen)
+        return ring, grasp_matrices(self.mechanism, ring)
+
+    @cached_property
+    def vectors(self) -> Mapping[str, tuple[Vector | None, ...]]:
+        """The vectors of each block; None where one is too long."""
+        return symbolic_blocks(*self.matrices, self.generic, self.blocks)
 
 
 def any_is_short(blocks: Blocks) -> bool:

@@ -21,17 +21,12 @@ from typing import Final
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.minors import determinant
 from screwkit.algebra.polynomial_text import text
-from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
-from screwkit.grasping.exact_grasp import ExactGrasp
-from screwkit.grasping.matrices import GraspMatrices, grasp_matrices
+from screwkit.grasping.matrices import GraspMatrices
 from screwkit.grasping.partition import Blocks
-from screwkit.grasping.symbolic_blocks import Vector, symbolic_blocks
+from screwkit.grasping.symbolic_blocks import VALUE, GraspFamily, Vector
 from screwkit.mechanism.model import Mechanism
 from screwkit.screw.nullspace import shortened
-
-VALUE: Final = "x_"
-"""The value of the index; no symbol of a file ends so."""
 
 MOST: Final = 2
 """Coordinated motions up to which it is tried."""
@@ -43,21 +38,17 @@ ENTRIES: Final = 60
 """Terms of the basis vectors together up to which it is tried."""
 
 
-def kinematic_polynomial(
-    mechanism: Mechanism, grasp: ExactGrasp, blocks: Blocks
-) -> str:
+def kinematic_polynomial(family: GraspFamily) -> str:
     """The polynomial of the kinematic index, or an empty text.
 
     Args:
-        mechanism: With its symbols; weights may contain them.
-        grasp: At a random point of them.
-        blocks: Of that point.
+        family: The grasp with its symbols; weights may contain them.
     """
+    mechanism, blocks = family.mechanism, family.blocks
     count = blocks.dimension("apo_c") + blocks.dimension("ao_c")
     if not 0 < count <= MOST:
         return ""
-    ring, matrices = _matrices(mechanism)
-    vectors = symbolic_blocks(ring, matrices, grasp, blocks)
+    (ring, matrices), vectors = family.matrices, family.vectors
     if any(vector is None for own in vectors.values() for vector in own):
         return ""
     system = _determinant(mechanism, ring, matrices, vectors, blocks)
@@ -71,19 +62,6 @@ def kinematic_polynomial(
     if sum(len(c) for c in coefficients) > TERMS:
         return ""
     return _written(ring, coefficients)
-
-
-def _matrices(
-    mechanism: Mechanism,
-) -> tuple[TrigonometricRing, GraspMatrices[Polynomial]]:
-    seen = SurveyRing()
-    grasp_matrices(mechanism, seen)
-    for rows in mechanism.weights.values():
-        for entry in (x for row in rows for x in row):
-            evaluate(entry, seen)
-    seen.symbol(VALUE)
-    ring = TrigonometricRing(seen)
-    return ring, grasp_matrices(mechanism, ring)
 
 
 def _determinant(

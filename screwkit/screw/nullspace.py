@@ -22,7 +22,7 @@ from screwkit.algebra.branches import Branch
 from screwkit.algebra.minors import Bits, determinant, minors_of
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import Point, residue
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, content
 from screwkit.conventions import DIRECTION, MOMENT, SCREW_DIMENSION
 from screwkit.screw import vector
 from screwkit.screw.displacement import Displacement
@@ -178,6 +178,16 @@ def moved(
     return (*direction, *vector.normal(ring, vector.add(turned, carried)))
 
 
+def _common_factor(values: Sequence[Polynomial]) -> Polynomial:
+    """The greatest common divisor; of the shortest first, and no more once it is 1."""
+    common = values[0]
+    for value in values[1:]:
+        if common.is_constant():
+            break
+        common = common.gcd(value)
+    return common
+
+
 def shortened(ring: TrigonometricRing, column: Sequence[Polynomial]) -> Column:
     """The column without common factors, with coprime integers, first entry positive.
 
@@ -186,11 +196,11 @@ def shortened(ring: TrigonometricRing, column: Sequence[Polynomial]) -> Column:
     values = [value for value in column if value != 0]
     if not values:
         return tuple(column)
-    common = reduce(lambda a, b: a.gcd(b), sorted(values, key=len))
+    common = _common_factor(sorted(values, key=len))
     divided = [ring.normal(value / common) for value in column]
-    coefficients = [c for value in divided if value != 0 for c in value.coeffs()]
-    above = reduce(gcd, (int(c.p) for c in coefficients))
-    below = reduce(lcm, (int(c.q) for c in coefficients))
+    contents = [content(value) for value in divided if value != 0]
+    above = reduce(gcd, (int(c.p) for c in contents))
+    below = reduce(lcm, (int(c.q) for c in contents))
     sign = 1
     for value in divided:
         if value != 0:

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from reports import samples
+from reports.schema_reading import fits
 
 from screwkit.reports.records import (
     Result,
@@ -160,42 +161,10 @@ def test_an_unknown_document_is_refused() -> None:
         from_json({"schema": "screwkit/1"})
 
 
-def _fits(schema: dict[str, Any], data: Any, definitions: dict[str, Any]) -> bool:
-    """A small reading of JSON Schema, enough for the schema at hand."""
-    if "$ref" in schema:
-        return _fits(definitions[schema["$ref"].rpartition("/")[2]], data, definitions)
-    if "anyOf" in schema:
-        return any(_fits(option, data, definitions) for option in schema["anyOf"])
-    kinds = schema.get("type", [])
-    names: dict[str, type | tuple[type, ...]] = {
-        "object": dict,
-        "array": list,
-        "string": str,
-        "integer": int,
-        "boolean": bool,
-        "null": type(None),
-    }
-    allowed = [names[kind] for kind in ([kinds] if isinstance(kinds, str) else kinds)]
-    if allowed and not isinstance(data, tuple(allowed)):
-        return False
-    if isinstance(data, dict):
-        if not set(schema.get("required", ())) <= set(data):
-            return False
-        properties = schema.get("properties", {})
-        return all(
-            _fits(properties[key], value, definitions)
-            for key, value in data.items()
-            if key in properties
-        )
-    if isinstance(data, list) and "items" in schema:
-        return all(_fits(schema["items"], item, definitions) for item in data)
-    return True
-
-
 @pytest.mark.parametrize("result", EVERY, ids=lambda r: type(r).__name__)
 def test_documents_fit_their_schema(result: Any) -> None:
     schema = json_schema_of_results()
     definitions = schema["$defs"]
     data = to_json(result)
-    assert _fits(definitions[type(result).__name__], data, definitions)
-    assert not _fits(definitions["Mobility"], {**data, "loop_rank": "6"}, definitions)
+    assert fits(definitions[type(result).__name__], data, definitions)
+    assert not fits(definitions["Mobility"], {**data, "loop_rank": "6"}, definitions)
