@@ -35,7 +35,7 @@ def test_readme_shows_what_the_commands_print() -> None:
     """After a change of output: python docs/refresh.py."""
     page = refresh()
     blocks = list(page.BLOCK.finditer(README))
-    assert len(blocks) == README.count("<!-- run:") == 3
+    assert len(blocks) == README.count("<!-- run:") == 4
     for block in blocks:
         assert block["shown"] == page.shown(block)
         assert block["shown"].count("\n") > 8
