@@ -41,6 +41,8 @@ _PACKAGES: Final = (
     ("sympy", "expressions in and out of Python", True),
     ("typer", "the command line", True),
     ("rich", "progress on a terminal", True),
+    ("matplotlib", "pictures", True),
+    ("distributed", "sweeps on a Dask cluster", False),
 )
 
 
