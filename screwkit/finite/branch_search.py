@@ -22,6 +22,7 @@ from screwkit.finite.local_dimension import Kernel, kernels, unit_rows
 from screwkit.finite.loop_split import Split
 from screwkit.finite.projection import projected
 from screwkit.finite.spanning_forest import Forest
+from screwkit.finite.tangent_cone import second_order_directions
 
 NEAREST, FARTHEST = 0.08, 0.25
 """How far starts leave the posture, in coordinates."""
@@ -40,8 +41,10 @@ class Starts:
             (postures, freedoms), unit vectors; meant for branches of one dimension.
         collapsed: How many returned to the posture.
         failed: How many did not close.
+        count: How many there were.
     """
 
+    count: int
     stance: Stance
     tangents: Array
     collapsed: int
@@ -61,14 +64,19 @@ def starts(
         forest: Of the mechanism, scaled.
         origin: One closed posture.
         kernel: Of that posture.
-        count: How many starts.
+        count: How many starts at random; as many at most are aimed at directions in
+            which the loops stay closed to second order.
         random: Chooses directions and distances.
     """
     directions = start_directions(forest, origin, kernel, count, random)
+    aimed = second_order_directions(forest, origin, kernel, count, random)
+    directions = np.concatenate([directions, aimed])
+    count = len(directions)
     distances = random.uniform(NEAREST, FARTHEST, count)
     step = directions * distances[:, None]
     ambient = 0.3 * distances[:, None] * unit_rows(random.standard_normal(step.shape))
     ambient[np.arange(count) % 3 != 2] = 0.0
+    ambient[count - len(aimed) :] = 0.0
     same = np.zeros(count, dtype=np.intp)
     split = kernel.split.take(same)
     found = projected(forest, origin.take(same), step + ambient, split)
@@ -80,7 +88,7 @@ def starts(
     for _ in range(4):
         stance = wandered(forest, stance, split, random)
     failed = int((~home & ~found.closed).sum())
-    return Starts(stance, tangents, int(home.sum()), failed)
+    return Starts(count, stance, tangents, int(home.sum()), failed)
 
 
 def start_directions(

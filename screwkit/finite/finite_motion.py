@@ -124,7 +124,7 @@ def _singular(
 ) -> FiniteMotion:
     found = starts(forest, origin, kernel, MANY, random)
     if not len(found.stance):
-        return _nothing_found(found.collapsed, found.failed)
+        return _nothing_found(found.count, found.collapsed, found.failed)
     split = kernel.split.take(np.zeros(len(found.stance), dtype=np.intp))
     stance, dimensions = _settled(forest, found.stance, split, random)
     unsettled = dimensions.count(None)
@@ -153,10 +153,10 @@ def _singular(
     ]
     points = [p for p in points if p.dimension]
     if not points:
-        return _nothing_found(MANY - found.failed, found.failed)
+        return _nothing_found(found.count, found.count - found.failed, found.failed)
     branches = branches_of(forest, stance, points, random)
     mobility = tuple(sorted({branch.mobility for branch in branches}))
-    words = f"{len(points)} of {MANY} starts lead to closed postures"
+    words = f"{len(points)} of {found.count} starts lead to closed postures"
     if found.collapsed:
         words += f", {found.collapsed} return to the posture"
     if unsettled:
@@ -207,9 +207,9 @@ def _settled(
     return stance, dimensions
 
 
-def _nothing_found(collapsed: int, failed: int) -> FiniteMotion:
+def _nothing_found(count: int, collapsed: int, failed: int) -> FiniteMotion:
     if failed:
-        why = f"{failed} of {MANY} starts did not close and {collapsed} returned"
+        why = f"{failed} of {count} starts did not close and {collapsed} returned"
         return FiniteMotion("undecided", (), (), why)
-    why = f"all {MANY} starts return to the posture: it is shaky, nothing moves"
+    why = f"all {count} starts return to the posture: it is shaky, nothing moves"
     return FiniteMotion("sampled", (0,), (), why)

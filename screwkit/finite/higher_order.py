@@ -28,6 +28,11 @@ Form: TypeAlias = tuple[tuple[int, ...], ...]
 
 MOST_VARIABLES = 6
 FIRST_ORDERS = 8
+
+HIGH_ORDERS, WIDEST = 136, 40
+"""Orders to which a single motion is followed, in blocks of so many freedoms: a chain
+of k mechanisms, each at a dead point of the next, opens at order 2^k only."""
+
 LONGEST_SERIES = 5040
 
 
@@ -52,7 +57,11 @@ def continuation(graph: ChainGraph) -> Continuation:
     along = curve(graph)
     bound = along.bound()
     identical = bound is not None and bound <= LONGEST_SERIES
-    highest = bound if bound is not None and identical else FIRST_ORDERS
+    if bound is not None and identical:
+        highest = bound
+    else:
+        alone = graph.mobility == 1 and graph.width <= WIDEST
+        highest = HIGH_ORDERS if alone else FIRST_ORDERS
     return Continuation(along.order_of_failure(highest), highest, identical)
 
 
