@@ -130,6 +130,7 @@ def _branches(
             branch.motion,
             branch.starts,
             branch.modes,
+            branch.finite_type,
         )
         for branch in sample.branches
     )

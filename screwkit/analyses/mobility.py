@@ -119,7 +119,7 @@ def _answer(
     if special is not None and special.at.rank == at.rank:
         known = special.full_cycle
     cycle = full_cycle(network, at, known)
-    about = finite_types(about, cycle, not network.labels)
+    about = finite_types(about, cycle, at.mobility)
     return _Answer(at, about, actuation(at), cycle)
 
 

@@ -120,7 +120,7 @@ def table_mobility(network: Network, closure: TableClosure) -> Mobility:
         redundant_constraints=size * loops - here.loop_rank,
         instantaneous_mobility=here.mobility,
         full_cycle=cycle,
-        platform=finite_types(about, cycle, at_rest=False),
+        platform=finite_types(about, cycle, None),
         actuation=None
         if locked is None
         else Actuation(actuated, locked.mobility, locked.twist_dimension),

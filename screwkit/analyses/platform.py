@@ -75,16 +75,20 @@ def motion_class(
     )
 
 
-def finite_types(about: Platform, cycle: FullCycle, at_rest: bool) -> Platform:
+def finite_types(about: Platform, cycle: FullCycle, mobility: int | None) -> Platform:
     """With the motion types of the finite branches, each once, in a fixed order.
 
     Args:
         about: The platform at the posture.
         cycle: The branches.
-        at_rest: Whether the mechanism has no freedoms at all.
+        mobility: Dimension of the joint rates there.  Where the finite motion is proved
+            to have that dimension, its type is that of the twists; None where a posture
+            was reached by numbers alone.
     """
-    types = sorted({branch.motion_type for branch in cycle.branches if branch.mobility})
-    proved = cycle.status == "proved" and any(cycle.mobility)
-    if not types and (proved or at_rest):
+    types = sorted({b.finite_type for b in cycle.branches if b.mobility} - {""})
+    proved = cycle.status == "proved" and cycle.mobility == (mobility,)
+    if cycle.mobility == (0,):
+        types = ["0T0R"]
+    elif not types and proved:
         types = [about.motion_type]
     return replace(about, finite_motion_types=tuple(types))

@@ -111,7 +111,9 @@ def walk(
     return Walk(np.stack(seen), tuple(sorted(ranks)), taken)
 
 
-def twist_systems(forest: Forest, stance: Stance, tangents: Array) -> NDArray[np.intp]:
+def twist_systems(
+    forest: Forest, stance: Stance, tangents: Array, visible: float = VISIBLE
+) -> NDArray[np.intp]:
     """Dimension of the platform's twists and of its rotations, shape (batch, 2).
 
     A platform that nothing connects with the base moves in all six ways.
@@ -119,16 +121,16 @@ def twist_systems(forest: Forest, stance: Stance, tangents: Array) -> NDArray[np
     connected, node = forest.platform
     if not connected:
         return np.tile(np.array([6, 3], dtype=np.intp), (len(stance), 1))
-    return body_systems(forest, stance, tangents, node)
+    return body_systems(forest, stance, tangents, node, visible)
 
 
 def body_systems(
-    forest: Forest, stance: Stance, tangents: Array, node: int
+    forest: Forest, stance: Stance, tangents: Array, node: int, visible: float = VISIBLE
 ) -> NDArray[np.intp]:
     """Dimension of a body's twists and of its rotations, shape (batch, 2)."""
     twists = body_jacobian(forest, stance, node) @ tangents
     counts = [
-        (np.linalg.svd(rows, compute_uv=False) > VISIBLE).sum(axis=1)
+        (np.linalg.svd(rows, compute_uv=False) > visible).sum(axis=1)
         for rows in (twists, twists[:, :3])
     ]
     return np.stack(counts, axis=1)

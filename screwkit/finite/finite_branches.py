@@ -42,6 +42,8 @@ class FiniteBranch:
         redundant_constraints: 6·loops − rank.
         twist_dimension: Of the platform's twist system at its points.
         motion_type: nTmR of that twist system.
+        finite_type: nTmR of the twists along the branch itself, fewer where its rank
+            never tells its dimension; empty where these are not known.
         couples: Dimension of the pure couples among the platform's constraint wrenches.
         motion: The finite motion of the platform in words; may be empty.
         starts: How many of the starts fell on it.
@@ -57,6 +59,7 @@ class FiniteBranch:
     redundant_constraints: int
     twist_dimension: int
     motion_type: str
+    finite_type: str
     couples: int
     motion: str
     starts: int
@@ -72,12 +75,13 @@ class Point:
     kernel: Kernel
     dimension: int
     twists: tuple[int, ...]
+    along: tuple[int, ...]
     pattern: tuple[object, ...] = ()
 
     @property
-    def looks(self) -> tuple[int, int, tuple[int, ...]]:
+    def looks(self) -> tuple[int, int, tuple[int, ...], tuple[int, ...]]:
         """What all points of one branch have in common."""
-        return self.dimension, self.kernel.rank, self.twists
+        return self.dimension, self.kernel.rank, self.twists, self.along
 
 
 def branches_of(
@@ -92,7 +96,7 @@ def branches_of(
     freedoms = stance.screws.shape[1]
     for looks in sorted({point.looks for point in points}, reverse=True):
         own = [point for point in points if point.looks == looks]
-        dimension, rank, (twists, turning) = looks
+        dimension, rank, (twists, turning), along = looks
         walkers = _representatives(own)
         numbers = np.array([point.number for point in walkers])
         bases = [point.kernel for point in walkers]
@@ -114,7 +118,8 @@ def branches_of(
                 loop_rank=rank,
                 redundant_constraints=6 * loops - rank,
                 twist_dimension=twists,
-                motion_type=f"{twists - turning}T{turning}R",
+                motion_type=kind_of((twists, turning)),
+                finite_type=kind_of(along) if along else "",
                 couples=3 - turning,
                 motion=words,
                 starts=len(members),
@@ -148,11 +153,25 @@ def directions(tangents: Array) -> list[int]:
 
 
 def platform_system(
-    forest: Forest, stance: Stance, number: int, kernel: Kernel
+    forest: Forest, stance: Stance, number: int, basis: Array, visible: float = VISIBLE
 ) -> tuple[int, ...]:
-    """Dimension of the platform's twist system, and of its rotations."""
+    """Dimension of the platform's twist system, and of its rotations.
+
+    Args:
+        forest: Of the mechanism.
+        stance: Closed postures.
+        number: Which of them.
+        basis: Rates that are possible there, as columns.
+        visible: Size of a twist that counts.
+    """
     here = stance.take(np.array([number]))
-    return tuple(twist_systems(forest, here, kernel.basis[None])[0].tolist())
+    return tuple(twist_systems(forest, here, basis[None], visible)[0].tolist())
+
+
+def kind_of(system: tuple[int, ...]) -> str:
+    """NTmR of a twist system's dimension and that of its rotations."""
+    twists, turning = system
+    return f"{twists - turning}T{turning}R"
 
 
 def pattern_of(

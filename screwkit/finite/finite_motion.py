@@ -33,6 +33,7 @@ from screwkit.finite.local_dimension import (
     is_regular,
     kernels,
     singular_dimension,
+    tangents_of,
     unclear_rank,
 )
 from screwkit.finite.loop_split import Split, split_at
@@ -49,6 +50,9 @@ PATIENCE = 4
 
 WITNESSES = 4
 """At how many singular postures of one rank the dimension is counted."""
+
+CLEAR = 1e-3
+"""Size of a platform twist that counts along tangents known from neighbours."""
 
 DOUBTFUL = 0.2
 """Part of the closed postures that may stay singular without making it all doubtful."""
@@ -108,8 +112,9 @@ def _regular(
 ) -> FiniteMotion:
     same = np.zeros(len(near), dtype=np.intp)
     points = [
-        Point(number, own, kernel.dimension, platform_system(forest, near, number, own))
+        Point(number, own, kernel.dimension, system, system)
         for number, own in enumerate(kernels(forest, near, kernel.split.take(same)))
+        for system in [platform_system(forest, near, number, own.basis)]
     ]
     # Closed around at full dimension means constant rank; only twists may still drop.
     most = max(point.twists for point in points)
@@ -140,7 +145,8 @@ def _singular(
             number,
             own,
             dimension,
-            platform_system(forest, stance, number, own),
+            platform_system(forest, stance, number, own.basis),
+            _along(forest, stance, number, own, dimension, random),
             (
                 *pattern_of(forest, stance, number, own),
                 *([leaving[number]] if dimension == 1 else []),
@@ -162,6 +168,24 @@ def _singular(
     if unsettled:
         words += f", {unsettled} to singular postures"
     return FiniteMotion("sampled", mobility, branches, words)
+
+
+def _along(
+    forest: Forest,
+    stance: Stance,
+    number: int,
+    kernel: Kernel,
+    dimension: int,
+    random: np.random.Generator,
+) -> tuple[int, ...]:
+    """The platform's twists along the branch itself; empty where they are not known."""
+    if dimension == kernel.dimension:
+        return platform_system(forest, stance, number, kernel.basis)
+    here = stance.take(np.array([number]))
+    tangents = tangents_of(forest, here, kernel, dimension, random)
+    if tangents is None:
+        return ()
+    return platform_system(forest, stance, number, tangents, CLEAR)
 
 
 def _settled(

@@ -28,6 +28,9 @@ SCALES = ((3e-3, 1e-3), (2e-2, 8e-3))
 """Pairs of distances at which neighbours are looked for; the second where the first
 does not agree, because closing is slow where equations repeat themselves."""
 
+TANGENT = 3e-3
+"""How far neighbours are that tell a tangent space."""
+
 SPREAD = 0.08
 """Part of the distance that neighbours must spread for a dimension to count."""
 
@@ -143,6 +146,38 @@ def singular_dimension(
     return None
 
 
+def tangents_of(
+    forest: Forest,
+    stance: Stance,
+    kernel: Kernel,
+    dimension: int,
+    random: np.random.Generator,
+) -> Array | None:
+    """The tangent space of the closed postures around one where rank does not tell it.
+
+    From the spread of neighbours, and then from closed postures forth and back along
+    each of its directions.
+
+    Returns:
+        Orthonormal, shape (freedoms, dimension); None where neighbours do not close.
+    """
+    near = _neighbours(forest, stance, kernel, TANGENT, random)
+    closed = near.travelled[near.closed]
+    if len(closed) < dimension:
+        return None
+    rough = np.linalg.svd(closed, full_matrices=False)[2][:dimension]
+    steps = TANGENT * np.concatenate([rough, -rough])
+    same = np.zeros(len(steps), dtype=np.intp)
+    found = projected(forest, stance.take(same), steps, kernel.split.take(same))
+    if not found.closed.all():
+        return None
+    forth, back = found.travelled[:dimension], found.travelled[dimension:]
+    left, sizes, _ = np.linalg.svd(((forth - back) / (2 * TANGENT)).T)
+    if sizes[-1] < 0.5:
+        return None
+    return np.asarray(left[:, :dimension])
+
+
 def spread(
     forest: Forest,
     stance: Stance,
@@ -157,17 +192,28 @@ def spread(
     Returns:
         None where too few neighbours could be closed.
     """
-    count = 2 * kernel.dimension + 8
-    inside = random.standard_normal((count, kernel.dimension)) @ kernel.basis.T
-    steps = unit_rows(inside) + 0.1 * unit_rows(random.standard_normal(inside.shape))
-    same = np.zeros(count, dtype=np.intp)
-    split = kernel.split.take(same)
-    found = projected(forest, stance.take(same), distance * steps, split)
+    found = _neighbours(forest, stance, kernel, distance, random)
     if found.closed.sum() <= kernel.dimension + 2:
         return None
     offsets = found.travelled[found.closed] / distance
     values = np.linalg.svd(offsets, compute_uv=False) / np.sqrt(len(offsets))
     return int((values > SPREAD).sum())
+
+
+def _neighbours(
+    forest: Forest,
+    stance: Stance,
+    kernel: Kernel,
+    distance: float,
+    random: np.random.Generator,
+) -> Projected:
+    """2m + 8 postures around one, m the dimension of its kernel."""
+    count = 2 * kernel.dimension + 8
+    inside = random.standard_normal((count, kernel.dimension)) @ kernel.basis.T
+    steps = unit_rows(inside) + 0.1 * unit_rows(random.standard_normal(inside.shape))
+    same = np.zeros(count, dtype=np.intp)
+    split = kernel.split.take(same)
+    return projected(forest, stance.take(same), distance * steps, split)
 
 
 def unit_rows(vectors: Array) -> Array:

@@ -101,7 +101,7 @@ def branch_blocks(answer: FullCycle, *, captioned: bool = False) -> tuple[Block,
             (
                 words(str(i)),
                 words(counted(branch.mobility, "freedom")),
-                words(branch.motion_type),
+                words(branch.finite_type or branch.motion_type),
                 prose(branch.motion),
                 words(str(branch.redundant_constraints)),
             )

@@ -205,9 +205,10 @@ def full_cycle(whole: Mobility) -> str:
         return f"undecided whether the motion is finite{because}"
     how = " (sampled)" if answer.status == "sampled" else ""
     mobilities = answer.mobility
-    number = len(answer.branches)
-    if number > 1 and len(mobilities) == 1:
-        return f"the motion is finite, on {number} branches{because}{how}"
+    number = sum(branch.modes for branch in answer.branches)
+    if number > 1 and len(mobilities) == 1 and mobilities != (0,):
+        what = _finite(whole, mobilities[0])
+        return f"{what}, on {number} branches{_along(whole)}{because}{how}"
     if mobilities == (0,) and not whole.instantaneous_mobility:
         return f"nothing moves{because}{how}"
     if mobilities == (0,):
@@ -215,7 +216,29 @@ def full_cycle(whole: Mobility) -> str:
     if len(mobilities) > 1:
         branches = ", ".join(map(str, mobilities))
         return f"branches of mobility {branches} meet at this posture{because}{how}"
-    return f"the motion is finite{because}{how}"
+    return f"{_finite(whole, mobilities[0])}{_along(whole)}{because}{how}"
+
+
+def _finite(whole: Mobility, dimension: int) -> str:
+    if dimension == whole.instantaneous_mobility:
+        return "the motion is finite"
+    at_once = counted(whole.instantaneous_mobility, "freedom")
+    return f"finite motion has dimension {dimension}, of {at_once} at once"
+
+
+def _along(whole: Mobility) -> str:
+    """How the platform moves on the one kind of branch there is, where that is news."""
+    branches = whole.full_cycle.branches
+    if len(branches) != 1 or not branches[0].finite_type:
+        return ""
+    (branch,) = branches
+    name = platform_called(whole.platform_name)
+    if branch.finite_type == whole.platform.motion_type:
+        return ""
+    if branch.finite_type == "0T0R":
+        return f", and {name} rests"
+    motion = f" ({branch.motion})" if branch.motion else ""
+    return f", {branch.finite_type} for {name}{motion}"
 
 
 def locked(actuation: Actuation, platform: str = "", separator: str = " ") -> str:

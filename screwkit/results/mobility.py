@@ -58,7 +58,9 @@ class MotionBranch:
         mobility: Its dimension.
         instantaneous_mobility: Joint freedoms less loop rank at its points; above
             ``mobility`` where rank alone never tells the truth.
-        motion_type: nTmR of the platform at its points.
+        motion_type: nTmR of the platform's twists at its points.
+        finite_type: nTmR of the platform's twists along the branch, fewer where rank
+            alone never tells the truth; empty where they are not known.
         couples: Pure couples among the platform's constraint wrenches there.
         motion: The finite motion of the platform in words; may be empty.
         starts: How many of the samples fell on it.
@@ -75,6 +77,7 @@ class MotionBranch:
     motion: str = ""
     starts: int = 0
     modes: int = 1
+    finite_type: str = ""
 
 
 @dataclass(frozen=True)

@@ -76,3 +76,34 @@ def test_forms_vanish_along_a_motion() -> None:
     inside = kernel.basis.T @ direction
     values = np.einsum("kij,i,j->k", forms, inside, inside)
     assert np.abs(values).max() < 1e-6 < np.abs(forms).max()
+
+
+def shaky_rest_on_a_hinge() -> PostureModel:
+    """A body on a hinge, with a flat loop of four hinges upon it that never moves.
+
+    To first order its bars may turn, each point of a line across it; the second order
+    stretches them.
+    """
+    ends = (("b", "c"), ("c", "d"), ("d", "e"), ("e", "b"))
+    places = [(0, 0, 0), (1, 0, 0), (3, 0, 0), (6, 0, 0)]
+    flat = [
+        turn(f"J{i}", *pair, Z, place)
+        for i, (pair, place) in enumerate(zip(ends, places, strict=True))
+    ]
+    root = turn("root", "ground", "b", (1, 0, 0), (9, 9, 9))
+    return model("ground", "d", root, *flat)
+
+
+def test_the_type_along_a_branch_is_not_that_of_its_rates() -> None:
+    """Only the hinge moves on: rates of the flat loop are no motion."""
+    found = finite_motion(shaky_rest_on_a_hinge())
+    assert found.mobility == (1,)
+    (branch,) = found.branches
+    assert (branch.motion_type, branch.finite_type) == ("1T2R", "0T1R")
+    assert branch.instantaneous_mobility == 3
+
+
+def test_along_a_regular_branch_both_are_one() -> None:
+    found = finite_motion(rotating_squares(3))
+    (branch,) = found.branches
+    assert branch.finite_type == branch.motion_type
