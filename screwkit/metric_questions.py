@@ -15,6 +15,7 @@ from screwkit.algebra.expression import Expression
 from screwkit.case import Case
 from screwkit.errors import ScrewkitError, UndecidedError
 from screwkit.progress import Progress, silent
+from screwkit.reports import showing  # noqa: F401 -- answers show themselves
 from screwkit.results.manipulability import Manipulability
 from screwkit.results.reach import Reach
 from screwkit.results.sweep import Sweep

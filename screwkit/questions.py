@@ -14,6 +14,7 @@ from screwkit.case import Case
 from screwkit.errors import MechanismFileError, UndecidedError
 from screwkit.metric_questions import manipulability
 from screwkit.progress import Progress, silent
+from screwkit.reports import showing  # noqa: F401 -- answers show themselves
 from screwkit.results.analysis import Analysis
 from screwkit.results.mobility import Mobility, MotionCase
 from screwkit.results.motion import MotionPath

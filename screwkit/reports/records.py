@@ -14,6 +14,7 @@ from typing import Any, Final, TypeAlias
 
 from screwkit.conventions import RESULT_SCHEMA
 from screwkit.errors import Fault
+from screwkit.reports import showing  # noqa: F401 -- answers show themselves
 from screwkit.reports.wire import Json, decode, encode, schema
 from screwkit.results.analysis import Analysis, Description
 from screwkit.results.manipulability import Manipulability

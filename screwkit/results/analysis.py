@@ -9,6 +9,7 @@ from screwkit.results.manipulability import Manipulability
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
 from screwkit.results.screws import Screws
+from screwkit.results.shown import Shown
 from screwkit.results.singularities import Singularities
 from screwkit.results.undecided import Undecided
 
@@ -69,8 +70,8 @@ class Description:
     limbs: tuple[tuple[str, tuple[str, ...]], ...]
 
 
-@dataclass(frozen=True)
-class Analysis:
+@dataclass(frozen=True, repr=False)
+class Analysis(Shown):
     """The answer of ``analyze``."""
 
     case: str

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from screwkit.results.partition import Partition
 from screwkit.results.scene import Scene
+from screwkit.results.shown import Shown
 from screwkit.results.undecided import Undecided
 
 
@@ -172,8 +173,8 @@ class SymbolicIndices:
     kinematic: str = ""
 
 
-@dataclass(frozen=True)
-class Manipulability:
+@dataclass(frozen=True, repr=False)
+class Manipulability(Shown):
     """The answer.
 
     Attributes:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from screwkit.results.partition import Partition
+from screwkit.results.shown import Shown
 
 
 @dataclass(frozen=True)
@@ -312,8 +313,8 @@ class AtPosture:
     gap: float | None = None
 
 
-@dataclass(frozen=True)
-class Mobility:
+@dataclass(frozen=True, repr=False)
+class Mobility(Shown):
     """The answer of ``mobility``; ranks are exact and generic over the free symbols.
 
     Attributes:

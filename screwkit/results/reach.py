@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from screwkit.results.manipulability import Manipulability
+from screwkit.results.shown import Shown
 
 
 @dataclass(frozen=True)
@@ -15,8 +16,8 @@ class TurnedBody:
     turn: tuple[float, float, float]
 
 
-@dataclass(frozen=True)
-class Reach:
+@dataclass(frozen=True, repr=False)
+class Reach(Shown):
     """The answer.
 
     Attributes:

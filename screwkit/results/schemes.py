@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from screwkit.results.shown import Shown
+
 
 @dataclass(frozen=True)
 class Scheme:
@@ -82,8 +84,8 @@ class Refusal:
     example: tuple[str, ...]
 
 
-@dataclass(frozen=True)
-class Schemes:
+@dataclass(frozen=True, repr=False)
+class Schemes(Shown):
     """The answer of ``schemes``.
 
     Attributes:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from screwkit.results.mobility import MotionClass
+from screwkit.results.shown import Shown
 
 
 @dataclass(frozen=True)
@@ -65,8 +66,8 @@ class ActuationWrench:
     screw: IdentifiedScrew | None
 
 
-@dataclass(frozen=True)
-class Screws:
+@dataclass(frozen=True, repr=False)
+class Screws(Shown):
     """The answer of ``screws``.
 
     Attributes:
@@ -88,8 +89,8 @@ class Screws:
     generic: bool = True
 
 
-@dataclass(frozen=True)
-class RelativeMotion:
+@dataclass(frozen=True, repr=False)
+class RelativeMotion(Shown):
     """The twist system of one body relative to another, and what it leaves to wrenches.
 
     Attributes:

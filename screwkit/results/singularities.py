@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from screwkit.results.shown import Shown
+
 
 @dataclass(frozen=True)
 class Solution:
@@ -115,8 +117,8 @@ class ActuationSingularities:
     reason: str = ""
 
 
-@dataclass(frozen=True)
-class Singularities:
+@dataclass(frozen=True, repr=False)
+class Singularities(Shown):
     """The answer of ``singularities``.
 
     Attributes:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from screwkit.results.shown import Shown
+
 
 @dataclass(frozen=True)
 class Extremum:
@@ -17,8 +19,8 @@ class Extremum:
     values: tuple[float, ...]
 
 
-@dataclass(frozen=True)
-class Sweep:
+@dataclass(frozen=True, repr=False)
+class Sweep(Shown):
     """The answer.
 
     Attributes:
