@@ -18,9 +18,10 @@ from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.loci.features import Features
 from screwkit.loci.reciprocals import FoundScrew
 from screwkit.results.screws import IdentifiedScrew
-from screwkit.screw.nullspace import Column, shortened
+from screwkit.screw.nullspace import Column, has_pitch, shortened
 from screwkit.screw.vector import Vector, cross, dot, normal
 
+WRITTEN = 20_000  # terms of a screw that is written out
 EXPANDED = 300  # terms of a screw whose foot is worked out
 
 
@@ -102,6 +103,8 @@ class ScrewWriter:
         self, screw: FoundScrew, kinds: tuple[str, str], words: str
     ) -> IdentifiedScrew:
         direction, moment = screw.column[DIRECTION], screw.column[MOMENT]
+        if _terms(screw.column) > WRITTEN:
+            return self._unwritten(screw, kinds)
         coordinates = self._texts(direction), self._texts(moment)
         if self._planar:
             twist = kinds[0] == "rotation"
@@ -116,17 +119,27 @@ class ScrewWriter:
             return IdentifiedScrew(
                 written, kinds[1], self._texts(moment), (), "", words
             )
-        along = self._ring.normal(dot(direction, moment))
-        pitch = "0"
-        if along != 0:
-            pitch = self._pitch(screw.elsewhere or screw.column)
-        kind = kinds[0] if along == 0 else "screw"
+        turned = has_pitch(self._ring, screw.column)
+        pitch = self._pitch(screw.elsewhere or screw.column) if turned else "0"
+        kind = "screw" if turned else kinds[0]
         return IdentifiedScrew(
             written, kind, self._texts(direction), self._point(screw), pitch, words
         )
 
+    def _unwritten(self, screw: FoundScrew, kinds: tuple[str, str]) -> IdentifiedScrew:
+        """A screw too long to be read by anybody: its kind and its length."""
+        kind = kinds[0]
+        if screw.is_free:
+            kind = kinds[1]
+        elif has_pitch(self._ring, screw.column):
+            kind = "screw"
+        words = f"of {_terms(screw.column)} terms, not written; --set gives numbers"
+        return IdentifiedScrew((), kind, (), (), "", f"{kind} {words}")
+
     def _pitch(self, column: Column) -> str:
         direction, moment = column[DIRECTION], column[MOMENT]
+        if _terms(column) > EXPANDED:
+            return self._unexpanded_pitch(column)
         above = self._ring.normal(dot(direction, moment))
         below = self._ring.normal(dot(direction, direction))
         return self._ratio_of_screw(column, (above,), below)[0]
@@ -164,10 +177,14 @@ class ScrewWriter:
             return tuple(self.ratio(value, below) for value in above)
         if len(above) == 3:
             return self._foot(column)
+        return (self._unexpanded_pitch(column),)
+
+    def _unexpanded_pitch(self, column: Column) -> str:
+        """(f·m)/(f·f), not expanded."""
         f, m = self._halves(column)
         pairs = zip(f, m, strict=True)
         product = " + ".join(f"{a}*{b}" for a, b in pairs if "0" not in (a, b))
-        return (f"({product})/({_square(f)})",)
+        return f"({product})/({_square(f)})"
 
     def _foot(self, column: Column) -> tuple[str, ...]:
         """(f×m)/(f·f), not expanded."""

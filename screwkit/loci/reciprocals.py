@@ -27,6 +27,7 @@ from screwkit.loci.lines import Candidate, Catalogue
 from screwkit.loci.meanings import Residue, features_of
 from screwkit.screw.nullspace import (
     Column,
+    has_pitch,
     reciprocal_product,
     residues,
     sample,
@@ -35,6 +36,7 @@ from screwkit.screw.nullspace import (
 from screwkit.screw.vector import Vector, cross, dot, normal
 
 LONGEST = 4000  # characters of a screw that is not avoided
+COMBINED = 600  # terms of screws that are combined to one without pitch
 
 
 @dataclass(frozen=True)
@@ -245,12 +247,12 @@ def pure(
     combination B w − q w′ is a pure force: B² q − q B B = 0.
     """
     column = screw.column
-    pitch = ring.normal(dot(column[DIRECTION], column[MOMENT]))
-    if pitch == 0:
+    if not has_pitch(ring, column) or _terms(column) > COMBINED:
         return screw
+    pitch = ring.normal(dot(column[DIRECTION], column[MOMENT]))
     best: Column | None = None
     for other in system:
-        if ring.normal(dot(other.column[DIRECTION], other.column[MOMENT])) != 0:
+        if has_pitch(ring, other.column) or _terms(other.column) > COMBINED:
             continue
         mixed = reciprocal_product(ring, column, other.column)
         if mixed == 0:

@@ -131,6 +131,8 @@ def screw_listings(
 
 def halves(screw: IdentifiedScrew, order: str, *, wrench: bool) -> tuple[Text, ...]:
     """The coordinates on one line, or one for each half where they are long."""
+    if not screw.coordinates:
+        return ()
     split = split_of(screw.coordinates, order, wrench=wrench)
     whole = tuple_of(screw.coordinates, split)
     if sum(map(len, screw.coordinates)) <= _ONE_LINE:
@@ -141,6 +143,8 @@ def halves(screw: IdentifiedScrew, order: str, *, wrench: bool) -> tuple[Text, .
 
 def coordinates(screw: IdentifiedScrew, order: str, *, wrench: bool) -> Text:
     """The coordinates of a screw in brackets."""
+    if not screw.coordinates:
+        return words("–")
     return tuple_of(
         screw.coordinates, split_of(screw.coordinates, order, wrench=wrench)
     )

@@ -13,7 +13,8 @@ class IdentifiedScrew:
     """A screw with its kind and line.
 
     Attributes:
-        coordinates: Six strings (three in planar files), direction then moment.
+        coordinates: Six strings (three in planar files), direction then moment; none
+            where they are too long to be written, see ``description``.
         kind: ``force``, ``couple``, ``screw`` (wrenches) or ``rotation``,
             ``translation``, ``screw`` (twists).
         axis: Direction of the axis (of the couple or translation itself).

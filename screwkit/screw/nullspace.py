@@ -165,6 +165,18 @@ def reciprocal_product(
     )
 
 
+def has_pitch(ring: TrigonometricRing, column: Sequence[Polynomial]) -> bool:
+    """Whether a screw is neither a line nor free: direction · moment is not zero.
+
+    A value that is not zero at the sample proves it; only zeros are multiplied out.
+    """
+    point, prime = sample(ring)
+    numbers = [residue(value, point, prime) for value in column]
+    if vector.dot(numbers[DIRECTION], numbers[MOMENT]) % prime:
+        return True
+    return bool(ring.normal(vector.dot(column[DIRECTION], column[MOMENT])) != 0)
+
+
 def moved(
     ring: TrigonometricRing,
     target_from_source: Displacement[Polynomial],

@@ -18,14 +18,18 @@ from screwkit.algebra.batch import BatchRing
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.parse import parse
+from screwkit.analyses import identified
 from screwkit.mechanism.model import freedom_label
 from screwkit.questions import screws
+from screwkit.reports.records import from_json
 from screwkit.results.screws import (
     IdentifiedScrew,
     LimbScrews,
     PlatformScrews,
     Screws,
 )
+from screwkit.screw.nullspace import has_pitch, reciprocal_basis
+from screwkit.screw.vector import dot
 
 REFERENCE = Path(__file__).parents[1] / "reference" / "nao_screws.json"
 DIMENSIONS = {  # twists of the limbs; platform
@@ -472,3 +476,34 @@ def test_parallel_axes_twice_on_one_line_are_idle(tmp_path: Path) -> None:
     assert answer.limbs[0].twist_dimension == 2
     assert len(answer.limbs[0].wrenches) == 4
     assert [w.screw is None for w in answer.actuation_wrenches] == [True, True, False]
+
+
+def test_what_nobody_reads_is_not_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Long screws keep their kind and say how long they are, in text and JSON."""
+    whole = sk.screws(sk.load("nao_t14"))
+    monkeypatch.setattr(identified, "WRITTEN", 12)
+    short = sk.screws(sk.load("nao_t14"))
+    left = 0
+    for before, after in zip(
+        whole.actuation_wrenches, short.actuation_wrenches, strict=True
+    ):
+        assert before.screw is not None
+        assert after.screw is not None
+        assert after.screw.kind == before.screw.kind
+        if not after.screw.coordinates:
+            left += 1
+            assert "terms, not written; --set gives numbers" in after.screw.description
+    assert left
+    assert "terms, not written" in str(short)
+    assert from_json(json.loads(json.dumps(short.to_json()))) == short
+
+
+@pytest.mark.parametrize("name", ["nao_t14", "3upu_tsai", "bennett"])
+def test_a_pitch_is_known_without_multiplying_out(name: str) -> None:
+    assembly = sk.load(name).assembly
+    framed = assembly.base_twists
+    ring = framed.ring
+    columns = [*framed.columns, *reciprocal_basis(ring, framed.columns[:4]).columns]
+    for column in columns:
+        product = ring.normal(dot(column[:3], column[3:]))
+        assert has_pitch(ring, column) == (product != 0)
