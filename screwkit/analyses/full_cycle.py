@@ -15,6 +15,9 @@ from screwkit.finite.sampling import sampled_motion
 from screwkit.kinematics.network import Motion, Network
 from screwkit.results.mobility import FullCycle, MotionBranch, Platform
 
+OUT_OF_PLANE = 2
+"""Couples about axes in the plane, of which planar files do not speak."""
+
 
 def full_cycle(
     network: Network, at: Motion, known: FullCycle | None = None
@@ -114,23 +117,29 @@ def cycle_of(network: Network, sample: FiniteMotion) -> FullCycle:
     return FullCycle(sample.status, sample.mobility, sample.reason, branches)
 
 
+def _in_plane(kind: str) -> str:
+    """A motion type without what a plane leaves out: bodies on nothing had it all."""
+    return "2T1R" if kind == "3T3R" else kind
+
+
 def _branches(
     network: Network, sample: FiniteMotion | None
 ) -> tuple[MotionBranch, ...]:
     if sample is None:
         return ()
+    planar = len(network.rows) == 3
     return tuple(
         MotionBranch(
             branch.mobility,
             branch.instantaneous_mobility,
             branch.loop_rank,
             len(network.rows) * len(network.loops) - branch.loop_rank,
-            branch.motion_type,
-            branch.couples,
+            _in_plane(branch.motion_type) if planar else branch.motion_type,
+            max(branch.couples - OUT_OF_PLANE, 0) if planar else branch.couples,
             branch.motion,
             branch.starts,
             branch.modes,
-            branch.finite_type,
+            _in_plane(branch.finite_type) if planar else branch.finite_type,
         )
         for branch in sample.branches
     )
