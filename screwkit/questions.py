@@ -143,7 +143,8 @@ def singularities(case: Case, progress: Progress = silent) -> Singularities:
 
     case.need_held_platform()
     _need_exact_posture(case)
-    return analysis.singularities(case.assembly, progress=progress)
+    answer = analysis.singularities(case.assembly, progress=progress)
+    return replace(answer, one_posture=not case.network.has_symbols)
 
 
 def schemes(
@@ -170,7 +171,10 @@ def schemes(
     case.need_held_platform()
     _need_exact_posture(case)
     terms = analysis.WORK if work is None else work
-    return analysis.schemes(case.assembly, size, candidates, balanced, progress, terms)
+    answer = analysis.schemes(
+        case.assembly, size, candidates, balanced, progress, terms
+    )
+    return replace(answer, one_posture=not case.network.has_symbols)
 
 
 def analyze(

@@ -120,6 +120,8 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
 
 def _proof(minors: int, rank: int, pieces: Sequence[Piece]) -> str:
     if not pieces:
+        if minors == 1:
+            return f"the one minor of size {rank} vanishes at no posture"
         return f"of the {minors} minors of size {rank}, not all vanish at any posture"
     subject = (
         f"the one minor of size {rank} vanishes"

@@ -77,18 +77,28 @@ class Witnesses:
         ]
         for joints in product(*choices):
             if len(joints) > 1 and self._same_twist(joints):
-                names = listed(joints)
-                kind = str(self._assembly.joint_of(joints[0]).type)
-                if kind == "revolute":
-                    return (
-                        f"axes {names} are one line and passive: "
-                        f"limbs and platform turn about it together"
-                    )
-                return (
-                    f"joints {names} slide in one direction and are passive: "
-                    f"limbs and platform move along it together"
-                )
+                return self._sharing(joints)
         return None
+
+    def _sharing(self, joints: Sequence[str]) -> str:
+        """Joints with one twist, in words."""
+        names = listed(joints)
+        twists, _ = self._assembly.random_postures[0]
+        if not any(int(x) for x in twists[joints[0]][DIRECTION]):
+            return (
+                f"joints {names} slide in one direction and are passive: "
+                f"limbs and platform move along it together"
+            )
+        kinds = {str(self._assembly.joint_of(joint).type) for joint in joints}
+        if "helical" in kinds:
+            return (
+                f"joints {names} have one axis and pitch and are passive: "
+                f"limbs and platform screw about it together"
+            )
+        line = f"rotations {names} have one line and are passive"
+        if kinds == {"revolute"}:
+            line = f"axes {names} are one line and passive"
+        return f"{line}: limbs and platform turn about it together"
 
     def _same_twist(self, joints: Sequence[str]) -> bool:
         return all(joint in self._lines[joints[0]] for joint in joints[1:])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from screwkit.algebra.names import counted
+from screwkit.reports.about_singularities import ONE_POSTURE
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -71,6 +72,8 @@ def summary(answer: Schemes) -> Text:
 def remarks(answer: Schemes) -> tuple[Text, ...]:
     """Symmetry, lengths left out, and what is open."""
     notes: list[Text] = []
+    if answer.one_posture:
+        notes.append(words(ONE_POSTURE))
     if answer.mirror is not None:
         classes, own = answer.mirror.admissible
         images = "its own mirror image" if own == 1 else "their own mirror image"

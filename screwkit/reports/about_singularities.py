@@ -38,6 +38,9 @@ from screwkit.results.singularities import (
 )
 
 SHOWN = 12
+ONE_POSTURE = (
+    "the file describes one posture, in numbers: what is said here holds at it"
+)
 
 
 def singularities_blocks(
@@ -46,6 +49,8 @@ def singularities_blocks(
     """The whole answer; ``shown`` caps each list of conditions, None shows all."""
     numbering = numbered(answer)
     blocks: list[Block] = []
+    if answer.one_posture:
+        blocks.append(Paragraph(words(ONE_POSTURE), 1))
     ranks = {limb.generic_rank for limb in answer.limb}
     aside = f"rank {ranks.pop()} in general" if len(ranks) == 1 else ""
     if answer.limb:

@@ -94,6 +94,8 @@ class Schemes(Shown):
         left_out: Parameters that divide determinants and cannot vanish.
         complete: Whether every locus was expanded and factored.
         reason: Why not, where not.
+        one_posture: Whether the file describes one posture in numbers, so that the
+            answer is about that posture and no other.
     """
 
     case: str
@@ -109,3 +111,4 @@ class Schemes(Shown):
     left_out: tuple[str, ...] = ()
     complete: bool = True
     reason: str = ""
+    one_posture: bool = False

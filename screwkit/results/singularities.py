@@ -125,6 +125,8 @@ class Singularities(Shown):
         actuation: None where the file declares no actuated joint.
         assumptions: What the derivation took for granted, ``d3 > 0``.
         platform_name: What the file calls the platform, for sentences.
+        one_posture: Whether the file describes one posture in numbers, so that the
+            answer is about that posture and no other.
     """
 
     case: str
@@ -134,3 +136,4 @@ class Singularities(Shown):
     actuation: ActuationSingularities | None
     assumptions: tuple[str, ...] = ()
     platform_name: str = ""
+    one_posture: bool = False

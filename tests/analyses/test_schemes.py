@@ -12,6 +12,7 @@ import pytest
 from loci import nao
 from loci.numeric import Array, freedoms, loop_matrix, value
 
+import screwkit as sk
 from screwkit.algebra.expression import Number
 from screwkit.analyses.schemes import schemes
 from screwkit.kinematics.assembly import Assembly
@@ -226,3 +227,35 @@ def test_candidates_and_size() -> None:
     assert all(set(s.actuated) <= set(candidates) for s in found.schemes)
     for scheme in found.schemes:
         assert scheme.admissible is bool({"1", "6"} & set(scheme.actuated))
+
+
+def test_rotations_of_contacts_about_one_line_are_no_slides() -> None:
+    """Two hard fingers: the object spins about the line through both points."""
+    answer = sk.schemes(sk.load("fingers_hard"))
+    (scheme,) = answer.schemes
+    assert scheme.reason is not None
+    assert "rotations c1:0 and c2:0 have one line" in scheme.reason
+    assert "turn about it together" in scheme.reason
+
+
+def test_numbers_describe_one_posture_and_symbols_many() -> None:
+    assert sk.schemes(sk.load("hand_three_hard")).one_posture
+    assert sk.singularities(sk.load("hand_three_hard")).one_posture
+    assert not sk.singularities(sk.load("nao_t14")).one_posture
+    assert "one posture, in numbers" in str(sk.schemes(sk.load("hand_three_hard")))
+
+
+def test_what_is_not_worked_out_is_undecided_and_last() -> None:
+    """With no work allowed: ranks are decided, loci are not, and it is said."""
+    whole = sk.schemes(sk.load("nao_t14"))
+    none = sk.schemes(sk.load("nao_t14"), work=0)
+    assert (none.total, none.admissible) == (whole.total, whole.admissible)
+    assert [s.actuated for s in none.schemes] == [s.actuated for s in whole.schemes]
+    assert all(s.undecided for s in none.schemes if s.admissible)
+    assert not none.complete
+    assert "more with --work" in none.reason
+    some = sk.schemes(sk.load("nao_t14"), work=40)
+    found = {s.actuated: s.locus for s in whole.schemes}
+    decided = [s for s in some.schemes if s.admissible and not s.undecided]
+    assert 0 < len(decided) < whole.admissible
+    assert all(s.locus == found[s.actuated] for s in decided)
