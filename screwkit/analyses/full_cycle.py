@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 from screwkit.finite.finite_motion import FiniteMotion
 from screwkit.finite.finite_proofs import proved_mobility
+from screwkit.finite.near_miss import near_miss
 from screwkit.finite.sampling import sampled_motion
 from screwkit.kinematics.network import Motion, Network
 from screwkit.results.mobility import FullCycle, MotionBranch, Platform
@@ -42,7 +43,11 @@ def full_cycle(
         branches = known.branches if known is not None else _branches(network, sample)
         if {branch.mobility for branch in branches} - set(proof.mobility):
             branches = ()  # a sample that went elsewhere proves nothing
-        return FullCycle("proved", proof.mobility, proof.reason, branches)
+        reason = proof.reason
+        missed = "" if network.has_symbols else near_miss(mechanism, at.rank)
+        if missed:
+            reason = f"{reason}; {missed}"
+        return FullCycle("proved", proof.mobility, reason, branches)
     if known is not None:
         if known.status == "undecided":
             return known
