@@ -11,17 +11,17 @@ from screwkit.kinematics.network import Network
 
 PLACES = [
     # Bennett's linkage on a skew quadrilateral that a half-turn takes to itself.
-    ((8, -4, -12), (3, 0, 1)),
-    ((0, -12, -12), (1, 2, -1)),
-    ((-8, 4, -12), (-3, 0, 1)),
-    ((0, 12, -12), (-1, -2, -1)),
+    ((3, 0, 1), (8, -4, -12)),
+    ((1, 2, -1), (0, -12, -12)),
+    ((-3, 0, 1), (-8, 4, -12)),
+    ((-1, -2, -1), (0, 12, -12)),
 ]
 
 
 def bennett(error: str) -> Network:
     """With one coordinate of a hinge off by an error."""
-    (axis, (x, y, z)), *others = PLACES
-    return ring([(axis, (f"{x} + {error}", y, z)), *others])
+    ((x, y, z), axis), *others = PLACES
+    return ring([((f"{x} + {error}", y, z), axis), *others])
 
 
 @pytest.mark.parametrize("digits", [8, 10, 14, 20])
