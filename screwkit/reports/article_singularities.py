@@ -38,10 +38,10 @@ from screwkit.results.singularities import (
 def singularities_summary(answer: Singularities) -> str:
     """Numbers of components and what was proved, in a sentence or two."""
     limb = sum(len(one.components) for one in answer.limb)
-    parts = [
-        f"The singular loci have {counted(limb, 'limb component')}, "
-        f"{counted(len(answer.constraint.components), 'constraint component')}"
-    ]
+    constraint = counted(len(answer.constraint.components), "constraint component")
+    parts = [f"The singular loci have {counted(limb, 'limb component')}"]
+    drives = answer.actuation is not None and answer.actuation.admissible
+    parts.append(f"{',' if drives else ' and'} {constraint}")
     everything: list[bool] = [one.complete for one in answer.limb]
     everything.append(answer.constraint.complete)
     if answer.actuation is not None:
@@ -56,7 +56,7 @@ def singularities_summary(answer: Singularities) -> str:
     parts.append(
         "; all lists are proved complete."
         if all(everything)
-        else "; where a list is not proved complete, it is said."
+        else ". Where a list is not proved complete, this is said."
     )
     return "".join(parts)
 
