@@ -31,6 +31,10 @@ _ONE_LINE = 76
 _READABLE = 240
 
 
+ADDS_NOTHING = "the limb keeps its freedoms"
+"""Why locking a freedom changes nothing: the others of its limb do the same."""
+
+
 def screws_blocks(answer: Screws) -> tuple[Block, ...]:
     """The whole answer."""
     where = "" if answer.generic else "; at the values of the file"
@@ -175,11 +179,11 @@ def freedom_names(wrenches: tuple[ActuationWrench, ...]) -> list[str]:
 
 
 def actuation_listing(wrenches: tuple[ActuationWrench, ...], order: str) -> Listing:
-    """One entry a freedom; idle freedoms say so."""
+    """One entry a freedom; a freedom that adds nothing says so."""
     items: list[Condition] = []
     for name, entry in zip(freedom_names(wrenches), wrenches, strict=True):
         if entry.screw is None:
-            items.append(Condition(name, words("nothing: it moves its limb alone")))
+            items.append(Condition(name, words(f"nothing: {ADDS_NOTHING}")))
             continue
         where = (Words(f"{entry.screw.kind}  "), *line(entry.screw))
         details = halves(entry.screw, order, wrench=True)
@@ -188,11 +192,12 @@ def actuation_listing(wrenches: tuple[ActuationWrench, ...], order: str) -> List
 
 
 def actuation_table(wrenches: tuple[ActuationWrench, ...], order: str) -> Table:
-    """One row a freedom; idle freedoms say so."""
+    """One row a freedom; a freedom that adds nothing says so."""
     rows: list[tuple[Text, ...]] = []
     for name, entry in zip(freedom_names(wrenches), wrenches, strict=True):
         if entry.screw is None:
-            rows.append((words(name), words("–"), words("adds nothing: idle"), ()))
+            nothing = words(f"adds nothing: {ADDS_NOTHING}")
+            rows.append((words(name), words("–"), nothing, ()))
             continue
         rows.append(
             (

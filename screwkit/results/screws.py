@@ -58,7 +58,8 @@ class ActuationWrench:
     """The wrench that a locked freedom adds, modulo its limb's constraint wrenches.
 
     Attributes:
-        screw: None where locking the freedom adds nothing (an idle freedom).
+        screw: None where locking the freedom adds nothing: the other joints of the
+            limb give all its freedoms.
     """
 
     joint: str
