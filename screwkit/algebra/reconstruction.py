@@ -27,6 +27,7 @@ from screwkit.algebra.text import expression_text
 
 LARGEST = 12  # degrees beyond which two primes tell no number from chance
 CHANCE = 2**48  # a random residue passes for a number once in this many
+SMALL = 2**30  # integers that two residues tell at a glance
 
 
 @dataclass(frozen=True, order=True)
@@ -143,6 +144,11 @@ class Reconstruction:
         A residue drawn at random is taken for a number with probability 1/`CHANCE` for
         each of the few subfields that are tried, small ones first.
         """
+        p, q = self.primes
+        one, other = (first + p // 2) % p - p // 2, (second + q // 2) % q - q // 2
+        if one == other and abs(one) < SMALL:
+            unit = self._units[0][0]
+            return AlgebraicNumber(((unit, Fraction(one)),) if one else ())
         for units in self._subfields:
             found = self._short(int(first), int(second), units)
             if found is not None:
