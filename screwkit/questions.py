@@ -137,13 +137,23 @@ def follow(
     return paths.follow(case.network, heading, steps, stride)
 
 
-def singularities(case: Case, progress: Progress = silent) -> Singularities:
-    """Limb, constraint and actuation singularities in closed form."""
+def singularities(
+    case: Case,
+    progress: Progress = silent,
+    finished: Callable[[str, Any], None] = lambda name, part: None,
+) -> Singularities:
+    """Limb, constraint and actuation singularities in closed form.
+
+    Args:
+        case: The mechanism.
+        progress: Told about each stage.
+        finished: Given each part as soon as it is there, by name.
+    """
     from screwkit.analyses import singularities as analysis  # noqa: PLC0415
 
     case.need_held_platform()
     _need_exact_posture(case)
-    answer = analysis.singularities(case.assembly, progress=progress)
+    answer = analysis.singularities(case.assembly, progress=progress, finished=finished)
     return replace(answer, one_posture=not case.network.has_symbols)
 
 

@@ -5,7 +5,8 @@ References: [LongCaroKhalil2012] §5, [Zlatanov2002].
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any
 
 from screwkit.algebra.decomposition import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
@@ -34,6 +35,7 @@ def singularities(
     assembly: Assembly,
     actuated: Sequence[str] | None = None,
     progress: Progress = silent,
+    finished: Callable[[str, Any], None] = lambda name, part: None,
 ) -> Singularities:
     """Answer ``singularities``.
 
@@ -41,6 +43,7 @@ def singularities(
         assembly: The mechanism.
         actuated: Names of the actuated joints; the declared ones by default.
         progress: Told about each stage.
+        finished: Given each part as soon as it is there, by name.
 
     Raises:
         UndecidedError: See `Assembly.refuse_blocks`.
@@ -50,8 +53,10 @@ def singularities(
     for limb in assembly.limbs:
         progress(f"limb {limb.name}", f"{len(limb.joints)} twists")
         limbs.append(limb_singularities(assembly, limb))
+        finished(f"limb {limb.name}", limbs[-1])
     progress("constraint", f"{len(assembly.joints)} columns")
     constraint = constraint_singularities(assembly)
+    finished("constraint", constraint)
     scheme = tuple(assembly.mechanism.actuated if actuated is None else actuated)
     actuation = None
     if scheme:

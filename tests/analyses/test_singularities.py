@@ -11,6 +11,7 @@ from loci import nao
 from loci.numeric import Posture, closed_at, freedoms, loop_matrix, rank, value, values
 from loci.searching import posture_on
 
+import screwkit as sk
 from screwkit.algebra.decomposition import Search, common_zeros
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.parse import parse
@@ -272,3 +273,14 @@ def passive_at(at: Posture) -> list[np.ndarray]:
             nao.limbs_at(at), nao.LIMBS, LOCKED, strict=True
         )
     ]
+
+
+def test_parts_are_given_as_soon_as_they_are_there() -> None:
+    """What is known when time runs out: limbs one by one, then constraints."""
+    parts: list[tuple[str, object]] = []
+    answer = sk.singularities(
+        sk.load("five_bar_15"), finished=lambda name, part: parts.append((name, part))
+    )
+    names = [f"limb {limb.limb}" for limb in answer.limb]
+    assert [name for name, _ in parts] == [*names, "constraint"]
+    assert [part for _, part in parts] == [*answer.limb, answer.constraint]
