@@ -164,6 +164,7 @@ def schemes(
     balanced: bool = False,
     progress: Progress = silent,
     work: int | None = None,
+    finished: Callable[[str, Any], None] = lambda name, part: None,
 ) -> Schemes:
     """Every actuation scheme of a size, admissible or why not.
 
@@ -175,6 +176,7 @@ def schemes(
         progress: Told about each stage.
         work: Terms of determinants to expand for all loci together; 1 000 000 by
             default.  What is left is undecided.
+        finished: Given the answer without loci as soon as it is there.
     """
     from screwkit.analyses import schemes as analysis  # noqa: PLC0415
 
@@ -182,7 +184,7 @@ def schemes(
     _need_exact_posture(case)
     terms = analysis.WORK if work is None else work
     answer = analysis.schemes(
-        case.assembly, size, candidates, balanced, progress, terms
+        case.assembly, size, candidates, balanced, progress, terms, finished
     )
     return replace(answer, one_posture=not case.network.has_symbols)
 

@@ -5,39 +5,28 @@ References: [LongCaroKhalil2012] §5.2.2.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Sequence
-from dataclasses import dataclass, field
-from fractions import Fraction
-from itertools import combinations, islice
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import combinations
 from math import comb
+from typing import Any
 
-from screwkit.algebra.branches import restricted
-from screwkit.algebra.factors import Factor, Factored, factor
 from screwkit.algebra.names import counted
-from screwkit.algebra.points_on import unknowns
-from screwkit.algebra.polynomial_text import equation_text
-from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.analyses.mirror_classes import mirror_classes, with_mirror
+from screwkit.analyses.scheme_loci import LociOfSchemes
 from screwkit.errors import TooLargeError, UnknownNameError
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.mirror import mirrored_joints
 from screwkit.loci.actuation import passive_joints
-from screwkit.loci.meanings import Meanings
-from screwkit.loci.passive import PassiveState, PassiveSystem, RankTable
-from screwkit.loci.pieces import Piece
-from screwkit.loci.witness import Witnesses
+from screwkit.loci.passive import PassiveState, PassiveSystem
 from screwkit.progress import Progress, silent
 from screwkit.results.schemes import (
     Balanced,
-    LocusFactor,
     Refusal,
     Scheme,
     Schemes,
 )
 
-_NAMED = 80  # terms; no statement of the catalogue is longer
-_LOOKED_AT = 60  # minors of one scheme
 _REPORT = 50  # schemes between two words of progress
 LARGEST = 20_000  # schemes; beyond, candidates have to be named
 WORK = 1_000_000
@@ -51,6 +40,7 @@ def schemes(
     balanced: bool = False,
     progress: Progress = silent,
     work: int = WORK,
+    finished: Callable[[str, Any], None] = lambda name, part: None,
 ) -> Schemes:
     """Answer ``schemes``.
 
@@ -62,6 +52,7 @@ def schemes(
         progress: Told about each stage.
         work: Terms to expand for all loci together; those of the schemes that are left
             are undecided, and whether these are admissible is decided nevertheless.
+        finished: Given the answer without loci as soon as it is there.
 
     Raises:
         UnknownNameError: If a candidate is no joint of a limb, or there are fewer of
@@ -82,7 +73,7 @@ def schemes(
             f"{total} schemes of {number} among {len(chosen)} joints are more than "
             f"{LARGEST}; name fewer with --candidates"
         )
-    shared = _Work(assembly, system, work)
+    shared = LociOfSchemes(assembly, system, work)
     progress("schemes", f"{total} schemes of {number} joints")
     wanted_schemes = [
         actuated
@@ -92,6 +83,12 @@ def schemes(
     states = system.generic_states(
         [passive_joints(assembly, actuated) for actuated in wanted_schemes]
     )
+    pairs = mirrored_joints(assembly)
+    ranks = [
+        _by_rank(assembly, *item) for item in zip(wanted_schemes, states, strict=True)
+    ]
+    known = _answer(assembly, number, [with_mirror(s, pairs) for s in ranks], pairs)
+    finished("admissible", replace(known, complete=False, reason="no locus yet"))
     asked = sorted(
         zip(wanted_schemes, states, strict=True),
         key=lambda item: system.size(passive_joints(assembly, item[0])),
@@ -103,182 +100,51 @@ def schemes(
         by_actuated[actuated] = _scheme(shared, actuated, state)
     listed = [by_actuated[actuated] for actuated in wanted_schemes]
     progress("meanings", f"{len(shared.counts)} factors")
-    pairs = mirrored_joints(assembly)
     listed = [with_mirror(scheme, pairs) for scheme in listed]
-    admissible = [scheme for scheme in listed if scheme.admissible]
-    even = [scheme for scheme in listed if scheme.balanced]
-    divides = number % len(assembly.limbs) == 0 if assembly.limbs else False
-    return Schemes(
-        case=assembly.mechanism.name,
-        title=assembly.mechanism.title,
-        size=number,
-        total=len(listed),
-        admissible=len(admissible),
-        balanced=Balanced(len(even), sum(s.admissible for s in even))
-        if divides
-        else None,
-        schemes=tuple(listed),
+    return replace(
+        _answer(assembly, number, listed, pairs),
         factors=shared.factors(),
-        refusals=_refusals(listed),
-        mirror=mirror_classes(listed, pairs),
         left_out=tuple(sorted(shared.left_out)),
         complete=not any(scheme.undecided for scheme in listed),
         reason=_open(listed, shared),
     )
 
 
-@dataclass(frozen=True)
-class _Locus:
-    """What was found of a locus; see `Scheme`."""
+def _answer(
+    assembly: Assembly,
+    size: int,
+    listed: Sequence[Scheme],
+    pairs: Sequence[tuple[str, str]],
+) -> Schemes:
+    """The schemes and their numbers, before anything is said of loci."""
+    even = [scheme for scheme in listed if scheme.balanced]
+    divides = size % len(assembly.limbs) == 0 if assembly.limbs else False
+    return Schemes(
+        case=assembly.mechanism.name,
+        title=assembly.mechanism.title,
+        size=size,
+        total=len(listed),
+        admissible=sum(scheme.admissible for scheme in listed),
+        balanced=Balanced(len(even), sum(s.admissible for s in even))
+        if divides
+        else None,
+        schemes=tuple(listed),
+        refusals=_refusals(listed),
+        mirror=mirror_classes(listed, pairs),
+    )
 
-    factors: tuple[tuple[Factor, int], ...]
-    undecided: bool = False
-    deeper: bool = False
 
-
-@dataclass
-class _Work:
-    """What the schemes of one mechanism share."""
-
-    assembly: Assembly
-    system: PassiveSystem
-    left: int
-    counts: Counter[str] = field(default_factory=Counter)
-    seen: dict[str, Factor] = field(default_factory=dict)
-    left_out: set[str] = field(default_factory=set)
-    tables: dict[str, list[RankTable]] = field(default_factory=dict)
-    reasons: dict[frozenset[str], str] = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        framed = self.assembly.common_twists
-        self.ring = framed.ring
-        self.root = self.assembly.root(framed.ring)
-        self.witnesses = Witnesses(self.assembly, self.system)
-        self.library = self.assembly.library(framed.ring)
-        self.axes = {
-            f.key
-            for square in self.root.nonvanishing
-            for f, _ in factor(self.ring, square, self.library).factors
-        }
-
-    def locus(self, passive: Sequence[str]) -> _Locus:
-        """The factors on which the passive twists become dependent."""
-        if len(self.assembly.limbs) < 2:
-            return _Locus(())
-        minors = self._minors(passive)
-        if not minors:
-            return _Locus((), undecided=True)
-        whole = self.system.fills(passive) and len(minors) == 1
-        seen: list[dict[str, tuple[Factor, int]]] = []
-        common: dict[str, tuple[Factor, int]] = {}
-        for minor in minors:
-            factors = factor(self.ring, minor, self.library).factors
-            own = {f.key: (f, n) for f, n in factors if self._can_vanish(f)}
-            shared = {
-                key: (f, min(n, own[key][1]))
-                for key, (f, n) in common.items()
-                if key in own
-            }
-            common = shared if seen else own
-            seen.append(own)
-            if not common:
-                break
-        kept, undecided = {}, False
-        for key, entry in common.items():
-            falls = True if whole else self._falls(entry[0], passive)
-            undecided = undecided or falls is None
-            if falls:
-                kept[key] = entry
-        # Where one minor vanishes on nothing else, nothing else fails.
-        all_of_it = any(own.keys() <= kept.keys() for own in seen)
-        return _Locus(tuple(kept.values()), undecided, not all_of_it)
-
-    def _minors(self, passive: Sequence[str]) -> list[Polynomial]:
-        """Minors of the passive columns, shortest first, while there is work left."""
-        if self.left <= 0:
-            return []
-        minors = list(islice(self.system.maximal_minors(passive), _LOOKED_AT))
-        self.left -= sum(map(len, minors))
-        return sorted(minors, key=len)
-
-    def _can_vanish(self, f: Factor) -> bool:
-        if f.key in self.axes:
-            return False
-        if not self.root.assumptions.is_nonzero(self.ring, f.equations[0]):
-            return True
-        self.left_out.add(equation_text(self.ring, f.equations[0]))
-        return False
-
-    def _falls(self, f: Factor, passive: Sequence[str]) -> bool | None:
-        """Whether more moves on a factor than in general; None if no point is known."""
-        tables = self._tables_on(f)
-        if not tables:
-            return None
-        general = self.system.generic_state(passive).mobility
-        return any(table.state(passive).mobility > general for table in tables)
-
-    def _tables_on(self, f: Factor) -> list[RankTable]:
-        """Ranks at exact points on a factor."""
-        if f.key not in self.tables:
-            branches = restricted(self.root, f.equations[0], f.equations[1:])
-            self.tables[f.key] = [
-                self.system.table_at(*point)
-                for branch in branches[:1]
-                for point in branch.points
-            ]
-        return self.tables[f.key]
-
-    def text(self, f: Factor) -> str:
-        """The factor as one equation; a half-angle factor as its square."""
-        if len(f.equations) == 1:
-            return equation_text(self.ring, f.equations[0])
-        square = Factored(Fraction(1), ((f, 2),)).expand(self.ring)
-        return equation_text(self.ring, primitive(square))
-
-    def is_idle(self, f: Factor, passive: Sequence[str]) -> bool:
-        """Whether the platform stays fixed on the factor: only limbs move.
-
-        Then one limb's passive twists are dependent, which is a condition on that
-        limb's joints alone.
-        """
-        if len(self._limbs_in(f)) > 1:
-            return False
-        tables = self._tables_on(f)
-        return bool(tables) and any(
-            table.state(passive).platform_freedom == 0 for table in tables
-        )
-
-    def _limbs_in(self, f: Factor) -> set[int]:
-        """Numbers of the limbs whose joint variables occur in a factor."""
-        ring = self.ring
-        names: set[str] = set()
-        for equation in f.equations:
-            for kind, number in unknowns(ring, equation):
-                if kind == "x":
-                    names.add(ring.symbols[number - ring.symbol_indices()[0]])
-                else:
-                    names.update(name for name, _ in ring.basis[number])
-        assembly = self.assembly
-        return {
-            number
-            for number, limb in enumerate(assembly.limbs)
-            if any(assembly.variable_of(j) in names for j in limb.joints)
-        }
-
-    def factors(self) -> tuple[LocusFactor, ...]:
-        """Every factor that occurred, with its meaning."""
-        meanings = Meanings(self.assembly.common_twists, self.root, self.library)
-        found = []
-        for key, count in self.counts.most_common():
-            f = self.seen[key]
-            terms = len(f.equations[0])
-            meaning = None
-            if terms <= _NAMED:
-                branches = restricted(self.root, f.equations[0], f.equations[1:])
-                piece = Piece(f.equations, tuple(branches))
-                meaning = meanings.of(piece) if branches else None
-            found.append(LocusFactor(self.text(f), meaning, terms, count))
-        return tuple(sorted(found, key=lambda f: (f.terms, f.equation)))
+def _by_rank(
+    assembly: Assembly, actuated: tuple[str, ...], state: PassiveState
+) -> Scheme:
+    """A scheme of which only the rank is known."""
+    return Scheme(
+        actuated,
+        not state.platform_freedom,
+        assembly.dimension - state.platform_freedom,
+        balanced=_is_balanced(assembly, actuated),
+        undecided=not state.platform_freedom,
+    )
 
 
 def _candidates(
@@ -309,7 +175,9 @@ def _too_few(
     )
 
 
-def _scheme(work: _Work, actuated: tuple[str, ...], state: PassiveState) -> Scheme:
+def _scheme(
+    work: LociOfSchemes, actuated: tuple[str, ...], state: PassiveState
+) -> Scheme:
     assembly = work.assembly
     passive = passive_joints(assembly, actuated)
     rank = assembly.dimension - state.platform_freedom
@@ -343,7 +211,7 @@ def _scheme(work: _Work, actuated: tuple[str, ...], state: PassiveState) -> Sche
     )
 
 
-def _open(listed: Sequence[Scheme], work: _Work) -> str:
+def _open(listed: Sequence[Scheme], work: LociOfSchemes) -> str:
     """Why not every locus was found."""
     left = sum(scheme.undecided for scheme in listed)
     if not left:

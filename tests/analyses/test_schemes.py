@@ -17,7 +17,7 @@ from screwkit.algebra.expression import Number
 from screwkit.analyses.schemes import schemes
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.values import with_values
-from screwkit.results.schemes import Scheme
+from screwkit.results.schemes import Scheme, Schemes
 
 SAMPLES = 6
 LENGTHS_ONLY = {"d3", "r1", "r3"}
@@ -259,3 +259,18 @@ def test_what_is_not_worked_out_is_undecided_and_last() -> None:
     decided = [s for s in some.schemes if s.admissible and not s.undecided]
     assert 0 < len(decided) < whole.admissible
     assert all(s.locus == found[s.actuated] for s in decided)
+
+
+def test_what_is_admissible_is_known_before_any_locus() -> None:
+    early: list[Schemes] = []
+    whole = sk.schemes(
+        sk.load("nao_t14"), finished=lambda name, part: early.append(part)
+    )
+    (known,) = early
+    assert (known.total, known.admissible) == (whole.total, whole.admissible)
+    assert known.balanced == whole.balanced
+    assert [(s.actuated, s.generic_rank) for s in known.schemes] == [
+        (s.actuated, s.generic_rank) for s in whole.schemes
+    ]
+    assert not known.complete
+    assert all(s.undecided == s.admissible for s in known.schemes)

@@ -1,0 +1,178 @@
+"""Where schemes fail: the common factors of a few minors, confirmed at exact points."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from itertools import islice
+
+from screwkit.algebra.branches import restricted
+from screwkit.algebra.factors import Factor, Factored, factor
+from screwkit.algebra.points_on import unknowns
+from screwkit.algebra.polynomial_text import equation_text
+from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.kinematics.assembly import Assembly
+from screwkit.loci.meanings import Meanings
+from screwkit.loci.passive import PassiveSystem, RankTable
+from screwkit.loci.pieces import Piece
+from screwkit.loci.witness import Witnesses
+from screwkit.results.schemes import LocusFactor
+
+_NAMED = 80  # terms; no statement of the catalogue is longer
+_LOOKED_AT = 60  # minors of one scheme
+
+
+@dataclass(frozen=True)
+class SchemeLocus:
+    """What was found of a locus; see `Scheme`."""
+
+    factors: tuple[tuple[Factor, int], ...]
+    undecided: bool = False
+    deeper: bool = False
+
+
+@dataclass
+class LociOfSchemes:
+    """What the schemes of one mechanism share."""
+
+    assembly: Assembly
+    system: PassiveSystem
+    left: int
+    counts: Counter[str] = field(default_factory=Counter)
+    seen: dict[str, Factor] = field(default_factory=dict)
+    left_out: set[str] = field(default_factory=set)
+    tables: dict[str, list[RankTable]] = field(default_factory=dict)
+    reasons: dict[frozenset[str], str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        framed = self.assembly.common_twists
+        self.ring = framed.ring
+        self.root = self.assembly.root(framed.ring)
+        self.witnesses = Witnesses(self.assembly, self.system)
+        self.library = self.assembly.library(framed.ring)
+        self.axes = {
+            f.key
+            for square in self.root.nonvanishing
+            for f, _ in factor(self.ring, square, self.library).factors
+        }
+
+    def locus(self, passive: Sequence[str]) -> SchemeLocus:
+        """The factors on which the passive twists become dependent."""
+        if len(self.assembly.limbs) < 2:
+            return SchemeLocus(())
+        minors = self._minors(passive)
+        if not minors:
+            return SchemeLocus((), undecided=True)
+        whole = self.system.fills(passive) and len(minors) == 1
+        seen: list[dict[str, tuple[Factor, int]]] = []
+        common: dict[str, tuple[Factor, int]] = {}
+        for minor in minors:
+            factors = factor(self.ring, minor, self.library).factors
+            own = {f.key: (f, n) for f, n in factors if self._can_vanish(f)}
+            shared = {
+                key: (f, min(n, own[key][1]))
+                for key, (f, n) in common.items()
+                if key in own
+            }
+            common = shared if seen else own
+            seen.append(own)
+            if not common:
+                break
+        kept, undecided = {}, False
+        for key, entry in common.items():
+            falls = True if whole else self._falls(entry[0], passive)
+            undecided = undecided or falls is None
+            if falls:
+                kept[key] = entry
+        # Where one minor vanishes on nothing else, nothing else fails.
+        all_of_it = any(own.keys() <= kept.keys() for own in seen)
+        return SchemeLocus(tuple(kept.values()), undecided, not all_of_it)
+
+    def _minors(self, passive: Sequence[str]) -> list[Polynomial]:
+        """Minors of the passive columns, shortest first, while there is work left."""
+        if self.left <= 0:
+            return []
+        minors = list(islice(self.system.maximal_minors(passive), _LOOKED_AT))
+        self.left -= sum(map(len, minors))
+        return sorted(minors, key=len)
+
+    def _can_vanish(self, f: Factor) -> bool:
+        if f.key in self.axes:
+            return False
+        if not self.root.assumptions.is_nonzero(self.ring, f.equations[0]):
+            return True
+        self.left_out.add(equation_text(self.ring, f.equations[0]))
+        return False
+
+    def _falls(self, f: Factor, passive: Sequence[str]) -> bool | None:
+        """Whether more moves on a factor than in general; None if no point is known."""
+        tables = self._tables_on(f)
+        if not tables:
+            return None
+        general = self.system.generic_state(passive).mobility
+        return any(table.state(passive).mobility > general for table in tables)
+
+    def _tables_on(self, f: Factor) -> list[RankTable]:
+        """Ranks at exact points on a factor."""
+        if f.key not in self.tables:
+            branches = restricted(self.root, f.equations[0], f.equations[1:])
+            self.tables[f.key] = [
+                self.system.table_at(*point)
+                for branch in branches[:1]
+                for point in branch.points
+            ]
+        return self.tables[f.key]
+
+    def text(self, f: Factor) -> str:
+        """The factor as one equation; a half-angle factor as its square."""
+        if len(f.equations) == 1:
+            return equation_text(self.ring, f.equations[0])
+        square = Factored(Fraction(1), ((f, 2),)).expand(self.ring)
+        return equation_text(self.ring, primitive(square))
+
+    def is_idle(self, f: Factor, passive: Sequence[str]) -> bool:
+        """Whether the platform stays fixed on the factor: only limbs move.
+
+        Then one limb's passive twists are dependent, which is a condition on that
+        limb's joints alone.
+        """
+        if len(self._limbs_in(f)) > 1:
+            return False
+        tables = self._tables_on(f)
+        return bool(tables) and any(
+            table.state(passive).platform_freedom == 0 for table in tables
+        )
+
+    def _limbs_in(self, f: Factor) -> set[int]:
+        """Numbers of the limbs whose joint variables occur in a factor."""
+        ring = self.ring
+        names: set[str] = set()
+        for equation in f.equations:
+            for kind, number in unknowns(ring, equation):
+                if kind == "x":
+                    names.add(ring.symbols[number - ring.symbol_indices()[0]])
+                else:
+                    names.update(name for name, _ in ring.basis[number])
+        assembly = self.assembly
+        return {
+            number
+            for number, limb in enumerate(assembly.limbs)
+            if any(assembly.variable_of(j) in names for j in limb.joints)
+        }
+
+    def factors(self) -> tuple[LocusFactor, ...]:
+        """Every factor that occurred, with its meaning."""
+        meanings = Meanings(self.assembly.common_twists, self.root, self.library)
+        found = []
+        for key, count in self.counts.most_common():
+            f = self.seen[key]
+            terms = len(f.equations[0])
+            meaning = None
+            if terms <= _NAMED:
+                branches = restricted(self.root, f.equations[0], f.equations[1:])
+                piece = Piece(f.equations, tuple(branches))
+                meaning = meanings.of(piece) if branches else None
+            found.append(LocusFactor(self.text(f), meaning, terms, count))
+        return tuple(sorted(found, key=lambda f: (f.terms, f.equation)))
