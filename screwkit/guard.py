@@ -24,7 +24,7 @@ from types import FrameType
 from typing import IO, Any, Final, Literal, TypeAlias
 
 from screwkit.errors import Fault
-from screwkit.worker import Job
+from screwkit.worker import Job, out_of_memory
 
 TICK: Final = 0.1
 _START: Final = (
@@ -206,10 +206,9 @@ def _followed(
 
 def _cause(code: int, said: str, memory: int | None) -> str:
     """Why a child died, in words."""
-    limit = f" (limit {memory / 2**30:.2g} GB)" if memory else ""
-    lowered = said.lower()
-    if "memory" in lowered:
-        return f"the exact computation ran out of memory{limit}"
+    limit = f" (limit {memory / 2**30:.2g} GB; --memory raises it)" if memory else ""
+    if "memory" in said.lower():
+        return out_of_memory(memory)
     if code == -signal.SIGABRT:
         return f"the exact arithmetic aborted, as it does without memory{limit}"
     if code == -signal.SIGKILL:

@@ -60,7 +60,12 @@ Timeout = Annotated[
 ]
 Memory = Annotated[
     float | None,
-    typer.Option(metavar="GB", min=0.1, help="Address space for the exact work."),
+    typer.Option(
+        metavar="GB",
+        min=0.1,
+        help="Address space for the exact work; three quarters of the memory if not "
+        "given.",
+    ),
 ]
 Every = Annotated[bool, typer.Option("--all", help="Print lists in full.")]
 At = Annotated[

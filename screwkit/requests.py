@@ -24,7 +24,7 @@ def request_of(question: str, given: dict[str, Any], **options: Any) -> Any:
         options: Keyword arguments of the analysis; None is left out.
     """
     from screwkit.terminal import Request  # noqa: PLC0415
-    from screwkit.worker import Job  # noqa: PLC0415
+    from screwkit.worker import Job, usual_memory  # noqa: PLC0415
 
     memory, actuated = given["memory"], given["actuated"]
     for name in ("memory", "timeout"):
@@ -38,7 +38,7 @@ def request_of(question: str, given: dict[str, Any], **options: Any) -> Any:
         at=settings("--at", given["at"]),
         actuated=None if actuated is None else freedoms_in("--actuated", actuated),
         options={name: value for name, value in options.items() if value is not None},
-        memory=None if memory is None else int(memory * 2**30),
+        memory=usual_memory() if memory is None else int(memory * 2**30),
     )
     return Request(
         job,

@@ -104,7 +104,7 @@ def serve(source: IO[str], send: Callable[[Mapping[str, Any]], None]) -> None:
     except errors.UndecidedError as error:
         send(_refusal("undecided", str(error)))
     except MemoryError:
-        send(_refusal("undecided", "the exact computation ran out of memory"))
+        send(_refusal("undecided", out_of_memory(job.memory)))
     except ImportError as error:
         send(_unloaded(error, job.memory))
     except errors.ScrewkitError as error:
@@ -112,6 +112,26 @@ def serve(source: IO[str], send: Callable[[Mapping[str, Any]], None]) -> None:
     except Exception as error:  # noqa: BLE001, RUF100 -- a defect is reported, not lost
         text = f"{type(error).__name__}: {error}"
         send(_refusal("defect", text, trace=traceback.format_exc()))
+
+
+def out_of_memory(limit: int | None) -> str:
+    """What is said where memory did not suffice, and what would help."""
+    said = "the exact computation ran out of memory"
+    if limit is None:
+        return said
+    return f"{said} (limit {limit / 2**30:.2g} GB; --memory raises it)"
+
+
+def usual_memory() -> int | None:
+    """The limit where none is asked for: three quarters of the machine's memory.
+
+    None where the system does not tell.
+    """
+    try:
+        whole = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (AttributeError, ValueError, OSError):
+        return None
+    return max(3 * whole // 4, 2 << 30) if whole > 0 else None
 
 
 def _refusal(kind: str, message: str, **more: Any) -> dict[str, Any]:

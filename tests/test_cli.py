@@ -162,6 +162,15 @@ def test_options_reach_the_job(engine: Answering) -> None:
     assert job.memory == 2 << 30
 
 
+def test_without_a_limit_three_quarters_of_the_memory_are_taken(
+    engine: Answering, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sizes = {"SC_PAGE_SIZE": 4096, "SC_PHYS_PAGES": 1 << 21}  # 8 GB
+    monkeypatch.setattr(os, "sysconf", sizes.__getitem__)
+    screwkit("mobility", "arm.yaml")
+    assert engine.jobs[0].memory == 6 << 30
+
+
 def test_options_of_schemes_reach_the_analysis(engine: Answering) -> None:
     screwkit("schemes", "nao_t14", "--size", "5", "--candidates", "1,2,3")
     assert engine.jobs[0].options == {"size": 5, "candidates": ["1", "2", "3"]}

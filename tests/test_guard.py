@@ -87,7 +87,9 @@ def test_the_memory_limit_is_kept() -> None:
     outcome = run(greedy)
     assert isinstance(outcome, Refused)
     assert outcome.kind == "undecided"
-    assert "memory" in outcome.message
+    assert outcome.message == (
+        "the exact computation ran out of memory (limit 1 GB; --memory raises it)"
+    )
 
 
 @pytest.mark.parametrize(

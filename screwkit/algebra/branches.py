@@ -17,7 +17,13 @@ from flint import fmpz, nmod_mat
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.elimination import half_angle_steps, steps_of
-from screwkit.algebra.points import Point, differential, random_point, residue
+from screwkit.algebra.points import (
+    Point,
+    differential,
+    random_point,
+    residue,
+    with_inverses,
+)
 from screwkit.algebra.points_on import moved_onto, root_in
 from screwkit.algebra.substitution import Substitution, linear_parts, substituted
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
@@ -171,7 +177,7 @@ class Branch:
                 fixed.add(index)
         if any(residue(value, point, prime) for value in values):
             return None
-        return point
+        return with_inverses(self.ring, point, prime)
 
 
 def _prime(source: random.Random) -> int:

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import reduce
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from screwkit.algebra.ring import Ring, S
+from screwkit.errors import TooLargeError
 
 Bits: TypeAlias = int  # a set of row or column numbers, one bit each
 MinorsOfColumns: TypeAlias = Mapping[Bits, S]  # by row set; zero minors are absent
@@ -67,13 +68,46 @@ def _extended(
     return {rows: value for rows, value in normal.items() if not ring.is_zero(value)}
 
 
-def minors_of(ring: Ring[S], columns: Sequence[Sequence[S]]) -> dict[Bits, S]:
-    """The minors that take all ``columns``, by row set."""
+def minors_of(
+    ring: Ring[S], columns: Sequence[Sequence[S]], largest: int | None = None
+) -> dict[Bits, S]:
+    """The minors that take all ``columns``, by row set.
+
+    Args:
+        ring: Gives normal forms and decides zero.
+        columns: Scalars in normal form; polynomials where ``largest`` is given.
+        largest: Products of terms that one more column may take.
+
+    Raises:
+        TooLargeError: If a column would take more, before it is multiplied out.
+    """
     minors: dict[Bits, S] = {0: ring.one}
     for column in columns:
         entries = [(row, x) for row, x in enumerate(column) if not ring.is_zero(x)]
+        if largest is not None:
+            _held(products_of_terms(minors, entries), largest)
         minors = _extended(ring, minors, entries)
     return minors
+
+
+def products_of_terms(
+    minors: Mapping[Bits, Any], column: Sequence[tuple[int, Any]]
+) -> int:
+    """How many terms are multiplied with each other to expand one more column."""
+    return sum(
+        len(minor) * len(entry)
+        for rows, minor in minors.items()
+        for row, entry in column
+        if not rows >> row & 1
+    )
+
+
+def _held(products: int, largest: int) -> None:
+    if products > largest:
+        millions = f"{products / 1e6:.2g} million"
+        if products >= 1e8:
+            millions = f"{products / 1e6:,.0f} million"
+        raise TooLargeError(f"{millions} products of terms")
 
 
 def determinant(ring: Ring[S], columns: Sequence[Sequence[S]]) -> S:

@@ -63,7 +63,27 @@ def _attempt(
         if value is None:
             return None
         point[generator] = value
-    return point
+    return with_inverses(ring, point, prime)
+
+
+def with_inverses(
+    ring: TrigonometricRing, point: Sequence[int], prime: int = PRIME
+) -> Point:
+    """The point with the values that the inverses of divisors have there.
+
+    Inner ones come first; 0 stands where the divisor vanishes.
+    """
+    place = {name: ring.names.index(name) for name in ring.divisors_of}
+    found, open_ones = list(point), dict(ring.divisors_of)
+    while open_ones:
+        name = next(
+            name
+            for name, divisor in open_ones.items()
+            if not any(divisor.degrees()[place[other]] for other in open_ones)
+        )
+        value = residue(open_ones.pop(name), found, prime)
+        found[place[name]] = pow(value, -1, prime) if value else 0
+    return found
 
 
 def random_angle(source: random.Random, prime: int) -> tuple[int, int]:

@@ -287,6 +287,11 @@ class TrigonometricRing:
         return cleared
 
     @property
+    def divisors_of(self) -> Mapping[str, Polynomial]:
+        """What each generator that stands for an inverse is the inverse of."""
+        return self._divisor_values
+
+    @property
     def divisors(self) -> tuple[Polynomial, ...]:
         """What the geometry divides by, hence assumes to be nonzero."""
         return tuple(self._divisor_values.values())

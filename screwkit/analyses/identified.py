@@ -38,7 +38,7 @@ class ScrewWriter:
             linear: Moment first.
             planar: Twists as (ωz; vx, vy), wrenches as (fx, fy; mz).
         """
-        self._ring = ring
+        self.ring = ring
         self._linear = linear
         self._planar = planar
 
@@ -119,7 +119,7 @@ class ScrewWriter:
             return IdentifiedScrew(
                 written, kinds[1], self._texts(moment), (), "", words
             )
-        turned = has_pitch(self._ring, screw.column)
+        turned = has_pitch(self.ring, screw.column)
         pitch = self._pitch(screw.elsewhere or screw.column) if turned else "0"
         kind = "screw" if turned else kinds[0]
         return IdentifiedScrew(
@@ -131,17 +131,16 @@ class ScrewWriter:
         kind = kinds[0]
         if screw.is_free:
             kind = kinds[1]
-        elif has_pitch(self._ring, screw.column):
+        elif has_pitch(self.ring, screw.column):
             kind = "screw"
-        words = f"of {_terms(screw.column)} terms, not written; --set gives numbers"
-        return IdentifiedScrew((), kind, (), (), "", f"{kind} {words}")
+        return left_out(kind, f"{_terms(screw.column)} terms")
 
     def _pitch(self, column: Column) -> str:
         direction, moment = column[DIRECTION], column[MOMENT]
         if _terms(column) > EXPANDED:
             return self._unexpanded_pitch(column)
-        above = self._ring.normal(dot(direction, moment))
-        below = self._ring.normal(dot(direction, direction))
+        above = self.ring.normal(dot(direction, moment))
+        below = self.ring.normal(dot(direction, direction))
         return self._ratio_of_screw(column, (above,), below)[0]
 
     def _point(self, screw: FoundScrew) -> tuple[str, ...]:
@@ -153,7 +152,7 @@ class ScrewWriter:
         if screw.point is not None:
             return self._texts(screw.point)
         direction, moment = screw.column[DIRECTION], screw.column[MOMENT]
-        ring = self._ring
+        ring = self.ring
         if _terms(screw.column) > EXPANDED:
             return self._foot(screw.column)
         square = ring.normal(dot(direction, direction))
@@ -204,16 +203,22 @@ class ScrewWriter:
         """A quotient without common factors."""
         if above == 0:
             return "0"
-        above, below = shortened(self._ring, (above, below))
-        if text(self._ring, below).startswith("-"):
+        above, below = shortened(self.ring, (above, below))
+        if text(self.ring, below).startswith("-"):
             above, below = -above, -below
         written = quotient(
-            to_expression(self._ring, above), to_expression(self._ring, below)
+            to_expression(self.ring, above), to_expression(self.ring, below)
         )
         return expression_text(written)
 
     def _texts(self, values: Sequence[Polynomial]) -> tuple[str, ...]:
-        return tuple(text(self._ring, value) for value in values)
+        return tuple(text(self.ring, value) for value in values)
+
+
+def left_out(kind: str, size: str) -> IdentifiedScrew:
+    """What is said in place of a screw that is too long to be read by anybody."""
+    words = f"{kind} too long to be written ({size}); --set gives numbers"
+    return IdentifiedScrew((), kind, (), (), "", words)
 
 
 def _square(vector: Sequence[str]) -> str:

@@ -17,13 +17,24 @@ from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.analyses.identified import ScrewWriter
 from screwkit.analyses.relative import twists_in_numbers
+from screwkit.analyses.unwritten import (
+    PRODUCTS,
+    TWISTS,
+    WRENCHES,
+    Found,
+    reciprocal_to,
+    together,
+    written,
+)
 from screwkit.conventions import SCREW_DIMENSION
+from screwkit.errors import TooLargeError
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.kinematics.network import Network, motion
 from screwkit.kinematics.placement import joint_twists, placed_links
 from screwkit.kinematics.series_parallel import element_columns
-from screwkit.loci.reciprocals import Finder, FoundScrew, span_of
+from screwkit.kinematics.subspaces import reciprocal
+from screwkit.loci.reciprocals import Finder, FoundScrew
 from screwkit.progress import Progress, silent
 from screwkit.results.screws import (
     ActuationWrench,
@@ -37,6 +48,8 @@ from screwkit.screw.nullspace import (
     independent,
     moved,
     reciprocal_basis,
+    residues,
+    sample,
 )
 
 
@@ -54,7 +67,12 @@ class _Limb:
     columns: tuple[Column, ...]
     finder: Finder
     rank: int
-    constraints: tuple[FoundScrew, ...]
+    system: Found
+
+    @property
+    def constraints(self) -> tuple[FoundScrew, ...]:
+        """Its constraint wrenches, as far as they are written."""
+        return self.system.screws
 
 
 def screws(
@@ -102,8 +120,18 @@ def limb_twists(assembly: Assembly, limb: LimbChain) -> tuple[Column, ...]:
 
 
 def constraint_wrenches(assembly: Assembly, limb: LimbChain) -> tuple[Column, ...]:
-    """The readable basis of what a limb can transmit with all joints passive."""
-    return tuple(screw.column for screw in _limb(assembly, limb).constraints)
+    """The readable basis of what a limb can transmit with all joints passive.
+
+    Raises:
+        TooLargeError: If it is too long to be expanded.
+    """
+    found = _limb(assembly, limb)
+    if found.system.missing:
+        raise TooLargeError(
+            f"the constraint wrenches of limb {limb.name} are too long to be written "
+            f"({found.system.size}); numbers for some symbols make them short"
+        )
+    return tuple(screw.column for screw in found.constraints)
 
 
 def _limb(assembly: Assembly, limb: LimbChain) -> _Limb:
@@ -111,12 +139,13 @@ def _limb(assembly: Assembly, limb: LimbChain) -> _Limb:
     finder = Finder(framed, assembly.mechanism.base)
     columns = _spanning(assembly, limb, framed)
     rank = len(independent(framed.ring, columns))
-    constraints = finder.basis(
+    system = reciprocal_to(
+        finder,
         [*columns, *out_of_plane(assembly, twists=True)],
         assembly.dimension - rank,
         lambda: _reciprocal(assembly, limb, limb.joints),
     )
-    return _Limb(limb, framed, columns, finder, rank, tuple(constraints))
+    return _Limb(limb, framed, columns, finder, rank, system)
 
 
 def _spanning(
@@ -195,7 +224,7 @@ def _reciprocal(
         locked = [name for name in limb.joints if name not in joints]
         columns = _spanning(assembly, limb, framed, *locked)
         outside = out_of_plane(assembly, twists=True)
-        basis = reciprocal_basis(ring, [*columns, *outside])
+        basis = reciprocal_basis(ring, [*columns, *outside], PRODUCTS)
         library = assembly.library(ring)
         return [
             FoundScrew(without_common_factors(ring, column, library))
@@ -205,7 +234,7 @@ def _reciprocal(
     twists = joint_twists(mechanism, ring, origin, limb.chain)
     chosen = [tuple(ring.without_divisors(twists[x].coordinates)) for x in joints]
     place = placed_links(mechanism, ring, mechanism.base, limb.chain)[origin]
-    basis = reciprocal_basis(ring, chosen)
+    basis = reciprocal_basis(ring, chosen, PRODUCTS)
     return [
         FoundScrew(moved(ring, place, column), elsewhere=column)
         for column in basis.columns
@@ -219,7 +248,7 @@ def _limb_screws(assembly: Assembly, found: _Limb, writer: ScrewWriter) -> LimbS
         twist_dimension=found.rank,
         twists=_written_twists(assembly, found, writer),
         wrench_dimension=assembly.dimension - found.rank,
-        wrenches=tuple(writer.wrench(screw) for screw in found.constraints),
+        wrenches=written(found.system, writer, WRENCHES),
     )
 
 
@@ -228,7 +257,7 @@ def _written_twists(
 ) -> tuple[IdentifiedScrew, ...]:
     """The twists of the joints; of a limb with blocks those that span its system."""
     framed = found.framed
-    if found.limb.elements is not None:
+    if found.limb.elements is not None and not found.system.missing:
         wrenches = [screw.column for screw in found.constraints]
         wrenches += out_of_plane(assembly, twists=False)
         named = found.finder.basis(
@@ -258,34 +287,32 @@ def _actuation(
     for joint in found.limb.joints:
         if assembly.variable_of(joint) is None:
             continue
-        screw = _actuation_wrench(assembly, found, joint)
+        added = _actuation_wrench(assembly, found, joint)
         answers.append(
             ActuationWrench(
                 assembly.joint_of(joint).name,
                 assembly.freedom_of(joint),
                 found.limb.name,
-                None if screw is None else writer.wrench(screw),
+                None if added is None else written(added, writer, WRENCHES)[-1],
             )
         )
     return answers
 
 
-def _actuation_wrench(
-    assembly: Assembly, found: _Limb, joint: str
-) -> FoundScrew | None:
-    """What locking a joint adds to the constraints of its limb."""
+def _actuation_wrench(assembly: Assembly, found: _Limb, joint: str) -> Found | None:
+    """What locking a joint adds to the constraints of its limb: the last screw."""
     ring = found.framed.ring
     others = [name for name in found.limb.joints if name != joint]
     columns = _spanning(assembly, found.limb, found.framed, joint)
     if len(independent(ring, columns)) == found.rank:
         return None
-    basis = found.finder.basis(
+    return reciprocal_to(
+        found.finder,
         [*columns, *out_of_plane(assembly, twists=True)],
-        len(found.constraints) + 1,
+        assembly.dimension - found.rank + 1,
         lambda: _reciprocal(assembly, found.limb, others),
         found.constraints,
     )
-    return basis[-1]
 
 
 def _platform(
@@ -297,25 +324,35 @@ def _platform(
     ring = framed.ring
     if assembly.mechanism.base == assembly.mechanism.platform:
         return _at_rest(assembly, framed, writer)
-    wrenches = span_of(ring, [limb.constraints for limb in limbs])
+    held = together(ring, [limb.system for limb in limbs])
     named = {
         called: screw
         for limb in limbs
         for called, screw in _forces(limb, several=len(limb.constraints) > 1).items()
     }
     finder = Finder(framed, assembly.mechanism.base, named, whole=True)
-    columns = [screw.column for screw in wrenches]
-    columns += out_of_plane(assembly, twists=False)
-    twists = finder.basis(
-        columns,
-        assembly.dimension - len(wrenches),
-        lambda: [FoundScrew(c) for c in reciprocal_basis(ring, columns).columns],
-    )
+    outside = out_of_plane(assembly, twists=False)
+    if held.missing:
+        rows = [*held.rows(ring), *(residues(ring, column) for column in outside)]
+        left = Found((), tuple(reciprocal(rows, sample(ring)[1])), held.size)
+    else:
+        columns = [*(screw.column for screw in held.screws), *outside]
+        left = reciprocal_to(
+            finder,
+            columns,
+            assembly.dimension - len(held.screws),
+            lambda: [
+                FoundScrew(column)
+                for column in reciprocal_basis(ring, columns, PRODUCTS).columns
+            ],
+        )
+    twists = written(left, writer, TWISTS)
+    wrenches = written(held, writer, WRENCHES)
     return PlatformScrews(
         twist_dimension=len(twists),
-        twists=tuple(writer.twist(screw) for screw in twists),
+        twists=twists,
         wrench_dimension=len(wrenches),
-        wrenches=tuple(writer.wrench(screw) for screw in wrenches),
+        wrenches=wrenches,
     )
 
 

@@ -10,7 +10,7 @@ from screwkit.reports.about_screws import LINEAR
 from screwkit.results.analysis import Analysis, Description
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
-from screwkit.results.screws import IdentifiedScrew, Screws
+from screwkit.results.screws import IdentifiedScrew, LimbScrews, PlatformScrews, Screws
 from screwkit.results.singularities import Singularities
 from screwkit.results.undecided import Undecided
 
@@ -33,6 +33,8 @@ def is_plain_yes(result: Any) -> bool:
             fine = locked is None or (locked.admissible and locked.complete)
             limbs = all(limb.complete for limb in result.limb)
             return fine and limbs and result.constraint.complete
+        case Screws():
+            return all(screw.coordinates for screw in _screws_of(result))
         case Schemes():
             return result.complete and (result.admissible > 0 or result.total == 0)
         case Analysis():
@@ -49,6 +51,13 @@ def is_plain_yes(result: Any) -> bool:
             return not broken and all(map(is_plain_yes, answers))
         case _:
             return True
+
+
+def _screws_of(answer: Screws) -> list[IdentifiedScrew]:
+    """Every screw of an answer; those too long to be written have no coordinates."""
+    systems: list[LimbScrews | PlatformScrews] = [*answer.limbs, answer.platform]
+    added = [w.screw for w in answer.actuation_wrenches if w.screw is not None]
+    return [s for x in systems for s in (*x.twists, *x.wrenches)] + added
 
 
 def partial_analysis(parts: Sequence[tuple[str, Any]], reason: str) -> Analysis | None:

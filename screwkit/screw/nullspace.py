@@ -108,17 +108,23 @@ def _pivot(ring: TrigonometricRing, columns: Sequence[Column]) -> Polynomial:
     return determinant(ring, [[column[i] for i in rows] for column in columns])
 
 
-def annihilator(ring: TrigonometricRing, columns: Sequence[Column]) -> Basis:
+def annihilator(
+    ring: TrigonometricRing, columns: Sequence[Column], largest: int | None = None
+) -> Basis:
     """Linear forms that vanish on generically independent columns.
 
     Args:
         ring: Of the polynomials.
         columns: At most six, independent at the sample point.
+        largest: See `minors_of`.
 
     Returns:
         Six minus as many columns; the pivot is a maximal minor of ``columns``.
+
+    Raises:
+        TooLargeError: If the minors need more products of terms than ``largest``.
     """
-    minors = minors_of(ring, columns)
+    minors = minors_of(ring, columns, largest)
     chosen = min(minors, key=lambda rows: (len(minors[rows]), rows))
     forms = tuple(
         _null_form(ring, minors, chosen | 1 << row)
@@ -142,15 +148,21 @@ def _null_form(
     return shortened(ring, form)
 
 
-def reciprocal_basis(ring: TrigonometricRing, columns: Sequence[Column]) -> Basis:
+def reciprocal_basis(
+    ring: TrigonometricRing, columns: Sequence[Column], largest: int | None = None
+) -> Basis:
     """The screws reciprocal to these columns, again (direction, moment).
 
     Args:
         ring: Of the polynomials.
         columns: Any number of screws; dependent ones are left out.
+        largest: See `minors_of`.
+
+    Raises:
+        TooLargeError: If the minors need more products of terms than ``largest``.
     """
-    basis = basis_of(ring, columns)
-    forms = annihilator(ring, basis.columns)
+    chosen = [columns[i] for i in independent(ring, columns)]
+    forms = annihilator(ring, chosen, largest)
     swapped = tuple((*form[MOMENT], *form[DIRECTION]) for form in forms.columns)
     return Basis(swapped, forms.pivot)
 

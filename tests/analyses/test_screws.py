@@ -22,6 +22,7 @@ from screwkit.analyses import identified
 from screwkit.mechanism.model import freedom_label
 from screwkit.questions import screws
 from screwkit.reports.records import from_json
+from screwkit.reports.verdict import is_plain_yes
 from screwkit.results.screws import (
     IdentifiedScrew,
     LimbScrews,
@@ -492,9 +493,9 @@ def test_what_nobody_reads_is_not_written(monkeypatch: pytest.MonkeyPatch) -> No
         assert after.screw.kind == before.screw.kind
         if not after.screw.coordinates:
             left += 1
-            assert "terms, not written; --set gives numbers" in after.screw.description
+            assert "terms); --set gives numbers" in after.screw.description
     assert left
-    assert "terms, not written" in str(short)
+    assert "too long to be written" in str(short)
     assert from_json(json.loads(json.dumps(short.to_json()))) == short
 
 
@@ -507,3 +508,57 @@ def test_a_pitch_is_known_without_multiplying_out(name: str) -> None:
     for column in columns:
         product = ring.normal(dot(column[:3], column[3:]))
         assert has_pitch(ring, column) == (product != 0)
+
+
+def free_arms(limbs: int, joints: int) -> dict[str, object]:
+    """Limbs of revolute joints with axes and points of symbols alone."""
+    variables: dict[str, object] = {}
+    links, entries = ["base", "tool"], []
+    for limb in range(limbs):
+        for number in range(joints):
+            name = f"{limb}_{number}"
+            last = number == joints - 1
+            if not last:
+                links.append(f"l{name}")
+            variables |= {f"{letter}{name}": {} for letter in "xyzuvw"}
+            entries.append(
+                {
+                    "name": f"J{name}",
+                    "type": "revolute",
+                    "parent": f"l{limb}_{number - 1}" if number else "base",
+                    "child": "tool" if last else f"l{name}",
+                    "point": [f"{letter}{name}" for letter in "xyz"],
+                    "axis": [f"{letter}{name}" for letter in "uvw"],
+                }
+            )
+    return {
+        "screwkit": 1,
+        "name": "free",
+        "geometry": "posture",
+        "base": "base",
+        "platform": "tool",
+        "links": links,
+        "variables": variables,
+        "joints": entries,
+        "actuated": ["J0_0"],
+    }
+
+
+@pytest.mark.parametrize(("limbs", "joints"), [(2, 4), (2, 5), (3, 5)])
+def test_what_would_be_too_long_is_counted_and_sized(
+    limbs: int, joints: int, tmp_path: Path
+) -> None:
+    """General axes: the dimensions are those of general subspaces."""
+    path = tmp_path / "free.json"
+    path.write_text(json.dumps(free_arms(limbs, joints)))
+    answer = sk.screws(sk.load(path))
+    held = limbs * (6 - joints)
+    platform = answer.platform
+    assert platform.wrench_dimension == len(platform.wrenches) == held
+    assert platform.twist_dimension == len(platform.twists) == 6 - held
+    left = [twist for twist in platform.twists if not twist.coordinates]
+    assert left
+    for twist in left:
+        assert "million products of terms" in twist.description
+    assert not is_plain_yes(answer)
+    assert from_json(json.loads(json.dumps(answer.to_json()))) == answer
