@@ -9,7 +9,9 @@ References: [LongCaroKhalil2012] (24), (25); [Hunt1978].
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
+from screwkit.algebra.constant_multiples import is_number, shortest_multiple, sign
 from screwkit.algebra.expression_building import quotient
 from screwkit.algebra.polynomial_text import text, to_expression
 from screwkit.algebra.text import expression_text
@@ -42,12 +44,24 @@ class ScrewWriter:
         self._linear = linear
         self._planar = planar
 
+    def _scaled(self, screw: FoundScrew) -> FoundScrew:
+        """The shortest multiple whose first coordinate is not written with a minus."""
+        if _terms(screw.column) > EXPANDED:
+            return screw
+        column = shortest_multiple(self.ring, screw.column)
+        first = next(value for value in column if value != 0)
+        if is_number(self.ring, first):
+            turned = sign(self.ring, first) < 0
+        else:
+            turned = text(self.ring, first).startswith("-")
+        return replace(screw, column=tuple(-x for x in column) if turned else column)
+
     def wrench(self, screw: FoundScrew) -> IdentifiedScrew:
         """A wrench: force, couple or screw."""
         words = ""
         if screw.how:
             words = f"{'couple' if screw.is_free else 'force'} {screw.how}"
-        return self._identified(screw, ("force", "couple"), words)
+        return self._identified(self._scaled(screw), ("force", "couple"), words)
 
     def twist(self, screw: FoundScrew) -> IdentifiedScrew:
         """A twist: rotation, translation or screw."""
@@ -58,7 +72,7 @@ class ScrewWriter:
                 if screw.is_free
                 else f"rotation about {screw.name}"
             )
-        return self._identified(screw, ("rotation", "translation"), words)
+        return self._identified(self._scaled(screw), ("rotation", "translation"), words)
 
     def joint_twist(
         self,
@@ -76,9 +90,14 @@ class ScrewWriter:
             column: The twist.
             point: A point of its axis.
             centre: The joint whose centre that is, where it turns about it every way.
+
+        The sign stays: it is that of the joint variable.
         """
+        if _terms(column) <= EXPANDED:
+            column = shortest_multiple(self.ring, column)
         if centre:
-            words = f"rotation about the centre of {centre}"
+            letter = next(x for x, value in zip("xyz", column, strict=False) if value)
+            words = f"rotation about the centre of {centre}, along {letter}"
             found = FoundScrew(column, point=point)
             return self._identified(found, ("rotation", "translation"), words)
         words = f"axis {joint}"
@@ -87,12 +106,10 @@ class ScrewWriter:
             return self._identified(
                 FoundScrew(column), ("rotation", "translation"), words
             )
-        shortest = point
-        for known in features.points:
-            if joint in known.joints:
-                words += f", through {known.name}"
-                if _terms(known.position) < _terms(shortest):
-                    shortest = known.position
+        named = [known for known in features.points if joint in known.joints]
+        if named:
+            words += f", through {named[0].name}"
+        shortest = min((point, *(known.position for known in named)), key=_terms)
         return self._identified(
             FoundScrew(column, point=shortest),
             ("rotation", "translation"),

@@ -562,3 +562,23 @@ def test_what_would_be_too_long_is_counted_and_sized(
         assert "million products of terms" in twist.description
     assert not is_plain_yes(answer)
     assert from_json(json.loads(json.dumps(answer.to_json()))) == answer
+
+
+@pytest.mark.parametrize("name", ["3rps", "agile_eye", "nao_t14", "4H_equal_pitch"])
+def test_screws_are_written_without_fractions_or_a_leading_minus(name: str) -> None:
+    """Wrenches and the platform's twists; those of joints keep their sense."""
+    answer = sk.screws(sk.load(name))
+    systems = [*(limb.wrenches for limb in answer.limbs), answer.platform.wrenches]
+    systems.append(answer.platform.twists)
+    for screw in (s for system in systems for s in system):
+        first = next(c for c in screw.coordinates if c != "0")
+        assert not first.startswith("-")
+    twists = [twist for limb in answer.limbs for twist in limb.twists]
+    for screw in (*(s for system in systems for s in system), *twists):
+        assert not any("/" in coordinate for coordinate in screw.coordinates)
+
+
+def test_the_twist_of_a_joint_keeps_its_sense() -> None:
+    """The axis of R21 is k × e2 = (−√3/2, −1/2, 0) as the file has it."""
+    limb = sk.screws(sk.load("3rps")).limbs[1]
+    assert limb.twists[0].coordinates == ("-sqrt(3)", "-1", "0", "0", "0", "2*a")
