@@ -27,6 +27,9 @@ from screwkit.finite.tangent_cone import second_order_directions
 NEAREST, FARTHEST = 0.08, 0.25
 """How far starts leave the posture, in coordinates."""
 
+STRIDE, STRIDES = 0.06, 12
+"""Length of a step on a branch, and how many lead to where ranks are clear."""
+
 COLLAPSED = 0.2
 """A start that keeps less than this part of its way has returned to the posture."""
 
@@ -84,9 +87,11 @@ def starts(
     home = (way < COLLAPSED * distances) & (found.largest < 1e-6)
     away = found.closed & ~home
     stance, split = found.stance.take(away), split.take(np.flatnonzero(away))
-    tangents = _tangents(forest, origin, split, found.travelled[away])
+    ways = found.travelled[away]
+    tangents = _tangents(forest, origin, split, ways)
     for _ in range(4):
-        stance = wandered(forest, stance, split, random)
+        stance, ways = _outward(forest, stance, split, ways, random)
+    stance = _cleared(forest, stance, split, ways)
     failed = int((~home & ~found.closed).sum())
     return Starts(count, stance, tangents, int(home.sum()), failed)
 
@@ -146,12 +151,51 @@ def wandered(
     forest: Forest, stance: Stance, split: Split, random: np.random.Generator
 ) -> Stance:
     """Every posture after one random step on its branch; those that fail stay."""
+    still = np.zeros(stance.screws.shape[:2])
+    return _outward(forest, stance, split, still, random)[0]
+
+
+def _outward(
+    forest: Forest,
+    stance: Stance,
+    split: Split,
+    ways: Array,
+    random: np.random.Generator,
+) -> tuple[Stance, Array]:
+    """One random step on, not back along the ways that led there, and the new ways."""
     if not len(stance):
-        return stance
-    steps = np.zeros(stance.screws.shape[:2])
+        return stance, ways
+    steps = np.zeros_like(ways)
     for number, kernel in enumerate(kernels(forest, stance, split)):
         if kernel.dimension:
             step = kernel.basis @ random.standard_normal(kernel.dimension)
-            steps[number] = 0.06 * step / np.linalg.norm(step)
+            sign = -1.0 if step @ ways[number] < 0 else 1.0
+            steps[number] = sign * STRIDE * step / np.linalg.norm(step)
     found = projected(forest, stance, steps, split)
-    return stance.put(found.closed, found.stance.take(found.closed))
+    moved = found.closed[:, None] * found.travelled
+    onward = stance.put(found.closed, found.stance.take(found.closed))
+    return onward, ways + moved
+
+
+def _cleared(forest: Forest, stance: Stance, split: Split, ways: Array) -> Stance:
+    """Postures of unclear rank led on along their ways, until it is clear.
+
+    Where branches touch to a high order, equations that tell them apart grow slowly
+    with the distance, and a start may have slid back to where they are within rounding.
+    """
+    stance, ways = stance.take(np.arange(len(stance))), ways.copy()
+    left = np.arange(len(stance))
+    for _ in range(STRIDES):
+        if not len(left):
+            break
+        own = kernels(forest, stance.take(left), split.take(left))
+        left = left[[not kernel.is_clear for kernel in own]]
+        if not len(left):
+            break
+        steps = STRIDE * unit_rows(ways[left])
+        found = projected(forest, stance.take(left), steps, split.take(left))
+        good = found.closed
+        stance = stance.put(left[good], found.stance.take(good))
+        ways[left[good]] += found.travelled[good]
+        left = left[good]
+    return stance

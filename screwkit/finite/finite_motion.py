@@ -132,11 +132,16 @@ def _singular(
         return _nothing_found(found.count, found.collapsed, found.failed)
     split = kernel.split.take(np.zeros(len(found.stance), dtype=np.intp))
     stance, dimensions = _settled(forest, found.stance, split, random)
+    own = kernels(forest, stance, split)
+    dimensions = [
+        dimension if kernel.is_clear else None
+        for dimension, kernel in zip(dimensions, own, strict=True)
+    ]
     unsettled = dimensions.count(None)
     if unsettled > DOUBTFUL * len(dimensions):
         why = (
-            f"at {unsettled} of {len(dimensions)} closed postures two scales do not "
-            f"agree on the dimension"
+            f"at {unsettled} of {len(dimensions)} closed postures the rank is unclear, "
+            f"or two scales do not agree on the dimension"
         )
         return FiniteMotion("undecided", (), (), why)
     leaving = directions(found.tangents)
@@ -152,9 +157,7 @@ def _singular(
                 *([leaving[number]] if dimension == 1 else []),
             ),
         )
-        for number, (own, dimension) in enumerate(
-            zip(kernels(forest, stance, split), dimensions, strict=True)
-        )
+        for number, (own, dimension) in enumerate(zip(own, dimensions, strict=True))
         if dimension is not None
     ]
     points = [p for p in points if p.dimension]

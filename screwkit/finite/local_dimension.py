@@ -31,6 +31,10 @@ does not agree, because closing is slow where equations repeat themselves."""
 TANGENT = 3e-3
 """How far neighbours are that tell a tangent space."""
 
+DOUBT = 3e-7
+"""Largest relative singular value that rounding makes of zero: x² = 0 within 1e-15
+leaves x and the slope at 3e-8, roots of higher order less."""
+
 SPREAD = 0.08
 """Part of the distance that neighbours must spread for a dimension to count."""
 
@@ -42,10 +46,13 @@ class Kernel:
     Attributes:
         split: The equations parted at that rank, a batch of one.
         basis: Orthonormal, shape (freedoms, dimension).
+        dropped: The largest singular value that was taken for zero, relative to what
+            they are compared with.
     """
 
     split: Split
     basis: Array
+    dropped: float = 0.0
 
     @property
     def rank(self) -> int:
@@ -56,6 +63,11 @@ class Kernel:
     def dimension(self) -> int:
         """Of the kernel: the instantaneous mobility."""
         return int(self.basis.shape[1])
+
+    @property
+    def is_clear(self) -> bool:
+        """Whether no singular value lies between zero and what counts."""
+        return self.dropped <= DOUBT
 
 
 def kernels(
@@ -72,9 +84,9 @@ def kernels(
     parts = reduced(forest, stance, split)
     found = []
     for number in range(len(stance)):
-        own = refined(parts, number, cut)
+        own, dropped = refined(parts, number, cut)
         here = stance.take(np.array([number]))
-        found.append(Kernel(own, reduced(forest, here, own).tangents[0]))
+        found.append(Kernel(own, reduced(forest, here, own).tangents[0], dropped))
     return tuple(found)
 
 

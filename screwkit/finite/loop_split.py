@@ -161,18 +161,22 @@ def turned(forest: Forest, stance: Stance, split: Split) -> Split:
     return Split(left, right, rank, split.size)
 
 
-def refined(parts: Reduced, number: int, cut: float = CUT) -> Split:
-    """The bases at one posture, with all equations in front that hold its rank."""
+def refined(parts: Reduced, number: int, cut: float = CUT) -> tuple[Split, float]:
+    """The bases at one posture, with all equations in front that hold its rank.
+
+    And the largest singular value that was left out, relative to the split's size.
+    """
     split = parts.split.take([number])
     rest = parts.rest[number]
     if not rest.size:
-        return split
+        return split, 0.0
     turned, values, directions = np.linalg.svd(rest)
     more = int((values > cut * split.size[0]).sum())
     left, right, rank = split.left.copy(), split.right.copy(), split.rank
     left[0, :, rank:] = left[0, :, rank:] @ turned
     right[0, :, rank:] = right[0, :, rank:] @ directions.T
-    return Split(left, right, rank + more, split.size)
+    dropped = float(max(values[more:], default=0.0) / split.size[0])
+    return Split(left, right, rank + more, split.size), dropped
 
 
 def stacked_splits(splits: Sequence[Split]) -> Split:
