@@ -20,11 +20,11 @@ from screwkit.algebra.batch import Array
 from screwkit.sweeps.grid import Axis
 from screwkit.sweeps.objective import Objective
 
-STARTS: Final = 8
-"""Candidates that are refined."""
+STARTS: Final = 24
+"""Candidates that are refined; in one batch many cost little more than one."""
 
-APART: Final = 0.05
-"""Smallest distance of two of them, in parts of the box."""
+APART: Final = 0.02
+"""Smallest distance of two of them, in parts of the box: optima on kinks lie close."""
 
 SIZES: Final = (2e-2, 1e-3, 1e-4, 1e-6, 1e-8)
 """Of the simplices with which the walk begins, and begins again."""

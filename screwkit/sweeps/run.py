@@ -123,21 +123,26 @@ class _Store:
         """The chunks in the file; none if it belongs to another sweep.
 
         Raises:
-            UnwritableError: If there is none and none can be begun.
+            UnwritableError: If the file cannot be begun or mended.
         """
         found: dict[tuple[int, int], Array] = {}
+        kept = [self.name]
         if self.path.exists():
-            lines = self.path.read_text(encoding="utf-8").splitlines()
+            text = self.path.read_text(encoding="utf-8", errors="replace")
+            lines = text.splitlines()
             if lines and lines[0] == self.name:
                 for line in lines[1:]:
                     try:
                         start, stop, texts = json.loads(line)
-                    except ValueError:  # the line on which it was interrupted
+                        values = np.array([float.fromhex(x) for x in texts])
+                    except (ValueError, TypeError):  # where it was interrupted
                         break
-                    found[start, stop] = np.array([float.fromhex(x) for x in texts])
-                return found
-        try:
-            self.path.write_text(self.name + "\n", encoding="utf-8")
+                    found[start, stop] = values
+                    kept.append(line)
+                if len(kept) == len(lines) and text.endswith("\n"):
+                    return found
+        try:  # without the half of a line, to which the next one would be joined
+            self.path.write_text("\n".join(kept) + "\n", encoding="utf-8")
         except OSError as error:
             raise UnwritableError(self.path, error) from None
         return found
