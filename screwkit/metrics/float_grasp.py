@@ -70,7 +70,8 @@ def float_weights(
     Args:
         mechanism: With them.
         matrices: The grasp, for the weight of contact forces; None leaves that out.
-        values: Of symbols in weights; they overrule those of the file.
+        values: Of symbols in weights; they overrule those of the file.  Where they are
+            arrays, a weight that depends on them has shape batch + (n, n).
 
     The weight of contact forces is declared for all six components (f; m) of every
     contact (three in the plane), and taken here for those that are transmitted.
@@ -80,8 +81,11 @@ def float_weights(
     def matrix(key: str) -> Array | None:
         if key not in mechanism.weights:
             return None
-        return np.array(
-            [[float(evaluate(x, ring)) for x in row] for row in mechanism.weights[key]]
+        return stacked(
+            [
+                [np.asarray(evaluate(x, ring), dtype=float) for x in row]
+                for row in mechanism.weights[key]
+            ]
         )
 
     forces = None if matrices is None else matrix("contact_forces")

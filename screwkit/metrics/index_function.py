@@ -12,14 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Literal, TypeAlias
 
 import numpy as np
 
 from screwkit.algebra.batch import Array
-from screwkit.algebra.expression_building import symbols_of
-from screwkit.errors import UnknownNameError
+from screwkit.errors import ExpressionError
 from screwkit.grasping.exact_grasp import exact_grasps
 from screwkit.grasping.matrices import GraspMatrices, grasp_matrices
 from screwkit.kinematics.loops import ring_at
@@ -39,7 +37,7 @@ from screwkit.metrics.reflections import (
 Kind: TypeAlias = Literal["kinematic", "force"]
 
 SMALL = 1e-9
-"""Pivots below this part of the largest are looked at singly."""
+"""Pivots and semi-axes below this part of the largest are looked at singly."""
 
 CHUNK = 8192
 """Postures at a time."""
@@ -76,6 +74,7 @@ class IndexFunction:
 
         Raises:
             UnknownNameError: If a symbol has no value.
+            ExpressionError: If a weight is not positive definite somewhere.
         """
         arrays = {name: np.asarray(v, dtype=float) for name, v in values.items()}
         batch = np.broadcast_shapes(*(v.shape for v in arrays.values()))
@@ -89,10 +88,30 @@ class IndexFunction:
             found[part] = self._chunk({name: v[part] for name, v in flat.items()})
         return found.reshape(*batch, self.count)
 
+    def padded(self, grasp: FloatGrasp, weights: Weights) -> Array:
+        """The values at one posture by singular values, padded with inf and 0.
+
+        As many as at a generic posture; more only where the generic ranks are those of
+        a posture that is itself singular.
+        """
+        if not all(np.isfinite(part).all() for part in (grasp.ja, grasp.jp, grasp.gt)):
+            return np.full(self.count, np.nan)
+        ranks, _, _ = float_ranks(grasp)
+        found = indices(replace(grasp, ranks=ranks), weights)
+        generic = self.plan.ranks
+        finite, more = found.kinematic.finite, ranks.indeterminacy
+        more -= generic.indeterminacy
+        if self.kind == "force":
+            finite, more = found.force.finite, ranks.structural - generic.structural
+        values = [*[np.inf] * max(more, 0), *finite]
+        return np.array([*values, *[0.0] * (self.count - len(values))])
+
     def _chunk(self, values: Mapping[str, Array]) -> Array:
         size = max((len(v) for v in values.values()), default=1)
         matrices = self._matrices(values)
-        found, regular = _values(matrices, size, self._roots, self.plan)
+        weights = float_weights(self.mechanism, None, values)
+        found, regular = _values(matrices, size, self._roots(weights), self.plan)
+        np.minimum(regular, _evenness(found), out=regular)
         if self.kind == "force":
             with np.errstate(divide="ignore"):
                 found = 1.0 / found[:, ::-1]
@@ -100,7 +119,8 @@ class IndexFunction:
         if len(singular):
             whole = of_matrices(matrices, None)
             for number in singular:
-                found[number] = self._single(whole, int(number))
+                own = _at(whole, int(number)), _weights_at(weights, int(number))
+                found[number] = self.padded(*own)[: self.count]
         return found
 
     def _matrices(self, values: Mapping[str, Array]) -> GraspMatrices[Array]:
@@ -110,41 +130,21 @@ class IndexFunction:
         known.update(values)
         return grasp_matrices(self.mechanism, ring_at(self.mechanism, known))
 
-    @cached_property
-    def _roots(self) -> tuple[Array | None, Array | None]:
+    def _roots(self, weights: Weights) -> tuple[Array | None, Array | None]:
         """By what rates and twists are divided: roots of the weights, inverted."""
-        weights = self._weights
-        if self.kind == "kinematic":
-            return _inverse_root(weights.rates), _inverse_root(weights.twist)
-        # By duality the force index is the reciprocal with the inverse weights.
-        wrench, torques = weights.wrench, _inverse(weights.torques)
-        if wrench is not None:
-            order = [2, 0, 1] if len(wrench) == 3 else [3, 4, 5, 0, 1, 2]
-            wrench = wrench[np.ix_(order, order)]
-        return _inverse_root(torques), _inverse_root(_inverse(wrench))
-
-    @cached_property
-    def _weights(self) -> Weights:
-        return float_weights(self.mechanism, None, {})
-
-    def _single(self, grasp: FloatGrasp, number: int) -> Array:
-        """One posture by singular values, padded with inf and 0."""
-        ja, jp, gt = (
-            part[number] if part.ndim > 2 else part
-            for part in (grasp.ja, grasp.jp, grasp.gt)
-        )
-        own = FloatGrasp(ja, jp, gt)
-        if not all(np.isfinite(part).all() for part in (own.ja, own.jp, own.gt)):
-            return np.full(self.count, np.nan)
-        ranks, _, _ = float_ranks(own)
-        found = indices(replace(own, ranks=ranks), self._weights)
-        generic = self.plan.ranks
-        finite, more = found.kinematic.finite, ranks.indeterminacy
-        more -= generic.indeterminacy
-        if self.kind == "force":
-            finite, more = found.force.finite, ranks.structural - generic.structural
-        padded = [*[np.inf] * max(more, 0), *finite, *[0.0] * self.count]
-        return np.array(padded[: self.count])
+        try:
+            if self.kind == "kinematic":
+                return _inverse_root(weights.rates), _inverse_root(weights.twist)
+            # By duality the force index is the reciprocal with the inverse weights.
+            wrench, torques = weights.wrench, _inverse(weights.torques)
+            if wrench is not None:
+                order = [2, 0, 1] if wrench.shape[-1] == 3 else [3, 4, 5, 0, 1, 2]
+                wrench = wrench[..., order, :][..., order]
+            return _inverse_root(torques), _inverse_root(_inverse(wrench))
+        except np.linalg.LinAlgError:
+            raise ExpressionError(
+                "a weight is not positive definite at some of these values"
+            ) from None
 
 
 def index_function(mechanism: Mechanism, kind: Kind = "kinematic") -> IndexFunction:
@@ -156,13 +156,7 @@ def index_function(mechanism: Mechanism, kind: Kind = "kinematic") -> IndexFunct
 
     Raises:
         UndecidedError: If there is no exact point.
-        UnknownNameError: If a weight contains a symbol without a number.
     """
-    loose = {p.name for p in mechanism.parameters if p.value is None}
-    for key, rows in mechanism.weights.items():
-        for entry in (x for row in rows for x in row):
-            if symbols_of(entry) & loose:
-                raise UnknownNameError(f"the weight of {key} depends on free symbols")
     (grasp,) = exact_grasps(mechanism, (1,))
     return IndexFunction(mechanism, kind, plan_of(grasp))
 
@@ -233,9 +227,37 @@ def _length(square: Array) -> Array:
     return np.sqrt(np.asarray(square))
 
 
+def _evenness(values: Array) -> Array:
+    """Of each posture, the smallest semi-axis over the largest; 0 where all are 0."""
+    if not values.shape[1]:
+        return np.ones(len(values))
+    least, largest = np.sqrt(values[:, -1]), np.sqrt(values[:, 0])
+    return np.divide(least, largest, out=np.zeros_like(least), where=largest > 0)
+
+
+def _at(grasp: FloatGrasp, number: int) -> FloatGrasp:
+    """One posture of a batch."""
+    ja, jp, gt = (
+        part[number] if part.ndim > 2 else part
+        for part in (grasp.ja, grasp.jp, grasp.gt)
+    )
+    return FloatGrasp(ja, jp, gt)
+
+
+def _weights_at(weights: Weights, number: int) -> Weights:
+    """Its weights."""
+    twist, rates, wrench, torques = (
+        part[number] if part is not None and part.ndim > 2 else part
+        for part in (weights.twist, weights.rates, weights.wrench, weights.torques)
+    )
+    return Weights(twist, rates, wrench, torques)
+
+
 def _weighted(columns: Array, root: Array | None) -> Array:
     if root is None:
         return columns
+    if root.ndim > 2:
+        return np.asarray(np.einsum("ijb,bjk->ikb", columns, root))
     return np.asarray(np.einsum("ijb,jk->ikb", columns, root))
 
 
@@ -247,4 +269,5 @@ def _inverse_root(weight: Array | None) -> Array | None:
     """C⁻¹ for CᵀC = W."""
     if weight is None:
         return None
-    return np.asarray(np.linalg.inv(np.linalg.cholesky(weight).T))
+    lower = np.linalg.cholesky(weight)
+    return np.asarray(np.linalg.inv(lower.swapaxes(-1, -2)))

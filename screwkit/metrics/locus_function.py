@@ -21,6 +21,7 @@ from screwkit.grasping.matrices import grasp_matrices
 from screwkit.kinematics.loops import ring_at
 from screwkit.mechanism.model import Mechanism
 from screwkit.metrics.float_grasp import of_matrices
+from screwkit.metrics.indices import FloatGrasp
 
 LocusKind: TypeAlias = Literal["locus", "sigma_min"]
 
@@ -66,6 +67,10 @@ class LocusFunction:
         grasp = of_matrices(
             grasp_matrices(self.mechanism, ring_at(self.mechanism, known)), None
         )
+        return self.of_grasp(grasp)
+
+    def of_grasp(self, grasp: FloatGrasp) -> Array:
+        """The number of a grasp, or of each of a batch of grasps."""
         batch = np.broadcast_shapes(grasp.jp.shape[:-2], grasp.gt.shape[:-2])
         parts = [
             np.broadcast_to(part, (*batch, *part.shape[-2:]))

@@ -10,25 +10,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from fractions import Fraction
-
-import numpy as np
 
 from screwkit.algebra.batch import Array
-from screwkit.algebra.expression import Expression, Number
 from screwkit.algebra.names import did_you_mean
 from screwkit.errors import UndecidedError, UnknownNameError
-from screwkit.finite.moved_posture import arrival_at
 from screwkit.kinematics.placement import why_tied
 from screwkit.kinematics.values import declared_values, with_values
 from screwkit.mechanism.model import Mechanism
-from screwkit.metrics.float_grasp import float_weights, of_matrices
-from screwkit.metrics.float_ranks import float_ranks
 from screwkit.metrics.index_function import IndexFunction, Kind, index_function
-from screwkit.metrics.indices import indices
 from screwkit.metrics.locus_function import LocusFunction, LocusKind, locus_function
-from screwkit.metrics.posture_grasp import grasp_on_arrival
 from screwkit.sweeps.measures import MEASURES
+from screwkit.sweeps.moved_function import MovedFunction
 
 KINDS = ("kinematic", "force")
 LOCI = ("locus", "sigma_min")
@@ -45,57 +37,13 @@ class Objective:
     """
 
     index: str
-    function: IndexFunction | LocusFunction | MovedIndex
+    function: IndexFunction | LocusFunction | MovedFunction
     measure: str
 
     def __call__(self, values: Mapping[str, Array]) -> Array:
         """The number at each posture; values broadcast over one batch."""
         found = self.function(values)
         return MEASURES[self.measure](found) if self.measure else found
-
-
-@dataclass(frozen=True)
-class MovedIndex:
-    """The values of an index at joint variables that loops tie together.
-
-    Each posture is closed by a motion from that of the file; one that is not reached
-    has no value.
-
-    Attributes:
-        mechanism: With numbers for all symbols.
-        kind: ``kinematic`` or ``force``.
-        count: Finite values at a generic posture.
-    """
-
-    mechanism: Mechanism
-    kind: str
-    count: int
-
-    def __call__(self, values: Mapping[str, Array | float]) -> Array:
-        """The values, shape batch + (count,); nan where the loops do not close."""
-        arrays = {name: np.asarray(v, dtype=float) for name, v in values.items()}
-        batch = np.broadcast_shapes(*(v.shape for v in arrays.values()))
-        flat = {n: np.broadcast_to(v, batch).reshape(-1) for n, v in arrays.items()}
-        size = int(np.prod(batch))
-        points = ({n: float(v[i]) for n, v in flat.items()} for i in range(size))
-        rows = [self._one(point) for point in points]
-        return np.array(rows).reshape(*batch, self.count)
-
-    def _one(self, values: Mapping[str, float]) -> Array:
-        wanted: dict[str, Expression] = {
-            name: Number(Fraction(value)) for name, value in values.items()
-        }
-        there = arrival_at(self.mechanism, wanted)
-        if not there.found.closed:
-            return np.full(self.count, np.nan)
-        matrices = grasp_on_arrival(self.mechanism, there)
-        grasp = of_matrices(matrices, None)
-        ranks, _, _ = float_ranks(grasp)
-        weights = float_weights(self.mechanism, matrices, {})
-        found = indices(of_matrices(matrices, ranks), weights)
-        finite = (found.kinematic if self.kind == "kinematic" else found.force).finite
-        padded = [*finite, *[0.0] * self.count][: self.count]
-        return np.array(padded)
 
 
 def objective_of(
@@ -122,15 +70,20 @@ def objective_of(
     missing = [p.name for p in own.parameters if p.name not in varied]
     if missing:
         raise UndecidedError(f"no value for {', '.join(missing)}: --set {missing[0]}=…")
+    tied = why_tied(own) or own.geometry == "posture"
+    moved = bool(tied and set(varied) & set(own.joint_variables))
+    function = _function_of(own, kind)
+    if isinstance(function, IndexFunction) and not function.count:
+        where = "at the posture of the file" if why_tied(own) else "in general"
+        raise UndecidedError(f"the {kind} index has no finite value {where}")
+    if moved:
+        return Objective(index, MovedFunction(own, function, measure), "")
+    return Objective(index, function, measure)
+
+
+def _function_of(mechanism: Mechanism, kind: str) -> IndexFunction | LocusFunction:
     if kind in LOCI:
         locus: LocusKind = "locus" if kind == "locus" else "sigma_min"
-        return Objective(index, locus_function(own, locus), "")
+        return locus_function(mechanism, locus)
     chosen: Kind = "force" if kind == "force" else "kinematic"
-    tied = why_tied(own) or own.geometry == "posture"
-    if tied and set(varied) & set(own.joint_variables):
-        count = index_function(own, chosen).count
-        return Objective(index, MovedIndex(own, chosen, count), measure)
-    function = index_function(own, chosen)
-    if not function.count:
-        raise UndecidedError(f"the {kind} index has no finite value in general")
-    return Objective(index, function, measure)
+    return index_function(mechanism, chosen)
