@@ -55,13 +55,17 @@ def limb_systems(at: Motion) -> tuple[LimbSystem, ...]:
     return tuple(found)
 
 
-def counts(at: Motion, rank: int) -> tuple[Counts, tuple[Working, ...]]:
+def counts(
+    at: Motion, rank: int, *, on_motion: bool = False
+) -> tuple[Counts, tuple[Working, ...]]:
     """All counts, with the working of each.
 
     Args:
         at: A generic posture, or that of the file.
         rank: Generic rank of the closure equations; where loops tie joint variables
             together that on the motion through the posture.
+        on_motion: Whether that is another rank than at the posture; counts that look
+            at the systems of limbs are left out then.
     """
     network = at.network
     equations = len(network.rows)
@@ -104,13 +108,13 @@ def counts(at: Motion, rank: int) -> tuple[Counts, tuple[Working, ...]]:
             "LongCaroKhalil2012 (16)-(18)",
         )
     )
-    systems = limb_systems(at)
+    systems = () if on_motion else limb_systems(at)
     gogu = None
     if len(systems) > 1 and (found := _gogu(at, systems)):
         gogu, working = found
         workings.append(working)
     screw = None
-    if systems or not network.loops:
+    if not on_motion and (systems or not network.loops):
         screw, working = _screw(at, systems)
         workings.append(working)
     return Counts(grubler, planar, freedoms - rank, gogu, screw), tuple(workings)

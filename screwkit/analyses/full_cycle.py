@@ -7,14 +7,12 @@ also say how each branch moves.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-
 from screwkit.finite.finite_motion import FiniteMotion
 from screwkit.finite.finite_proofs import proved_mobility
 from screwkit.finite.near_miss import near_miss
 from screwkit.finite.sampling import sampled_motion
 from screwkit.kinematics.network import Motion, Network
-from screwkit.results.mobility import FullCycle, MotionBranch, Platform
+from screwkit.results.mobility import FullCycle, MotionBranch
 
 OUT_OF_PLANE = 2
 """Couples about axes in the plane, of which planar files do not speak."""
@@ -22,8 +20,8 @@ OUT_OF_PLANE = 2
 
 def full_cycle(
     network: Network, at: Motion, known: FullCycle | None = None
-) -> FullCycle:
-    """The finite mobilities around a posture.
+) -> tuple[FullCycle, FiniteMotion | None]:
+    """The finite mobilities around a posture, and the samples where some were taken.
 
     Args:
         network: The mechanism.
@@ -33,7 +31,7 @@ def full_cycle(
     mechanism = network.mechanism
     held = any(joint.held for joint in mechanism.joints)
     if mechanism.geometry == "mdh" and not network.tied and not held:
-        return _all_closed(network, at)
+        return _all_closed(network, at), None
     proof = proved_mobility(network, at)
     if known is not None:
         sample = None
@@ -47,57 +45,16 @@ def full_cycle(
         missed = "" if network.has_symbols else near_miss(mechanism, at.rank)
         if missed:
             reason = f"{reason}; {missed}"
-        return FullCycle("proved", proof.mobility, reason, branches)
+        return FullCycle("proved", proof.mobility, reason, branches), sample
     if known is not None:
         if known.status == "undecided":
-            return known
+            return known, None
         reason = (
             f"at the values of the file, where the rank is the same: {known.reason}"
         )
-        return FullCycle("sampled", known.mobility, reason, known.branches)
+        return FullCycle("sampled", known.mobility, reason, known.branches), None
     assert sample is not None
-    return cycle_of(network, sample)
-
-
-@dataclass(frozen=True)
-class OnTheMotion:
-    """Ranks on the motion through a posture that is itself special."""
-
-    loop_rank: int
-    platform: Platform
-
-
-def on_the_motion(
-    network: Network, cycle: FullCycle, about: Platform
-) -> OnTheMotion | None:
-    """The generic numbers where loops tie joint variables together.
-
-    None where the posture is as good as any, or its branches differ in rank.  Of
-    branches that move differently the one on which most samples fell is taken.
-    """
-    if not network.tied or not cycle.branches:
-        return None
-    ranks = {branch.loop_rank for branch in cycle.branches}
-    if len(ranks) > 1 or ranks == {network.motion.rank}:
-        return None
-    branch = max(cycle.branches, key=lambda b: b.starts)
-    kind = branch.motion_type
-    translations, rotations = (int(n) for n in kind.removesuffix("R").split("T"))
-    size = len(network.rows)
-    freedom = translations + rotations
-    return OnTheMotion(
-        ranks.pop(),
-        replace(
-            about,
-            twist_dimension=freedom,
-            translations=translations,
-            rotations=rotations,
-            motion_type=kind,
-            wrench_dimension=size - freedom,
-            couples=branch.couples,
-            motion_class=None,
-        ),
-    )
+    return cycle_of(network, sample), sample
 
 
 def _all_closed(network: Network, at: Motion) -> FullCycle:

@@ -13,10 +13,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from screwkit.analyses.counts import counts
-from screwkit.analyses.full_cycle import full_cycle, on_the_motion
-from screwkit.analyses.naming import named
+from screwkit.analyses.full_cycle import full_cycle
+from screwkit.analyses.naming import Named, named
+from screwkit.analyses.on_the_motion import on_the_motion
 from screwkit.analyses.partition import GraspPair, gamma_of, generic_blocks
 from screwkit.analyses.platform import finite_types, platform
+from screwkit.finite.finite_motion import FiniteMotion
 from screwkit.kinematics.network import Motion, Network, motion
 from screwkit.mechanism.graph import holding_joints
 from screwkit.progress import Progress, silent
@@ -35,6 +37,11 @@ from screwkit.results.partition import Partition
 TABLE = 60
 """Bodies up to which the table of connectivity is made."""
 
+_ON_THE_MOTION = (
+    "the posture of the file is special; redundant constraints and freedoms are named "
+    "for that posture, below"
+)
+
 BLOCKS_UP_TO = 60
 """Joint freedoms up to which the partition is worked out block by block."""
 
@@ -47,6 +54,7 @@ class _Answer:
     platform: Platform
     actuation: Actuation | None
     full_cycle: FullCycle
+    sample: FiniteMotion | None
 
 
 def mobility(
@@ -68,16 +76,22 @@ def mobility(
         special = _answer(network.at_values, progress)
     answer = _answer(network, progress, special)
     at, size, rank = answer.at, len(network.rows), answer.at.rank
-    about = answer.platform
-    moving = on_the_motion(network, answer.full_cycle, about)
-    if moving is not None:
-        special, rank, about = answer, moving.loop_rank, moving.platform
-    side_by_side, workings = counts(at, rank)
+    about, scheme = answer.platform, answer.actuation
+    partition, table = _partition(at), connectivity(at)
+    moving = on_the_motion(network, answer.full_cycle, about, answer.sample, TABLE)
+    progress("mobility", "names of constraints and freedoms")
+    names = there = named(*_in_numbers(answer, special))
+    if moving is None:
+        side_by_side, workings = counts(at, rank)
+        partition = _with_blocks(partition, network)
+    else:
+        special, names = special or answer, Named(unnamed=_ON_THE_MOTION)
+        rank, about, scheme = moving.loop_rank, moving.platform, moving.actuation
+        partition, table = moving.partition, moving.connectivity
+        side_by_side, workings = counts(at, rank, on_motion=True)
     if cases is not None:
         about = _with_cases(about, cases(about.motion_type))
-    progress("mobility", "names of constraints and freedoms")
-    names = named(*_in_numbers(answer, special))
-    return Mobility(
+    whole = Mobility(
         case=mechanism.name,
         title=mechanism.title,
         topology=Topology(
@@ -94,17 +108,27 @@ def mobility(
         instantaneous_mobility=len(network.labels) - rank,
         full_cycle=answer.full_cycle,
         platform=about,
-        actuation=answer.actuation,
-        partition=_with_blocks(_partition(at), network),
-        at_values=None if special is None else _special(rank, about, answer, special),
+        actuation=scheme,
+        partition=partition,
         platform_name=mechanism.platform,
         redundancies=names.redundancies,
         remaining_freedoms=names.remaining_freedoms,
         unnamed=names.unnamed,
-        connectivity=connectivity(at),
+        connectivity=table,
         loose_bodies=tuple(x for group in network.components[1:] for x in group),
         generic=network.has_symbols,
+        on_motion=moving is not None,
     )
+    if special is None:
+        return whole
+    apart = _special(whole, special)
+    if moving is not None:
+        apart = replace(
+            apart,
+            redundancies=there.redundancies,
+            remaining_freedoms=there.remaining_freedoms,
+        )
+    return replace(whole, at_values=apart)
 
 
 def _answer(
@@ -118,9 +142,11 @@ def _answer(
     known = None
     if special is not None and special.at.rank == at.rank:
         known = special.full_cycle
-    cycle = full_cycle(network, at, known)
+    cycle, sample = full_cycle(network, at, known)
+    if sample is None and special is not None:
+        sample = special.sample
     about = finite_types(about, cycle, at.mobility)
-    return _Answer(at, about, actuation(at), cycle)
+    return _Answer(at, about, actuation(at), cycle, sample)
 
 
 def _in_numbers(answer: _Answer, special: _Answer | None) -> tuple[Network, Motion]:
@@ -189,26 +215,29 @@ def connectivity(at: Motion) -> Connectivity | None:
     return Connectivity(links, tuple(tuple(row) for row in table))
 
 
-def _special(
-    rank: int, about: Platform, answer: _Answer, special: _Answer
-) -> SpecialValues:
+def _special(whole: Mobility, special: _Answer) -> SpecialValues:
     """The answer at the values, beside the generic one given first."""
     at, network = special.at, special.at.network
-    size, freedoms = len(network.rows), len(network.labels)
+    size = len(network.rows)
+    otherwise = "on the motion" if whole.on_motion else "in general"
     differences = []
     for name, before, after in (
-        ("the loop rank is", rank, at.rank),
-        ("the mobility is", freedoms - rank, at.mobility),
-        ("the motion type is", about.motion_type, special.platform.motion_type),
-        ("the couples are", about.couples, special.platform.couples),
+        ("the loop rank is", whole.loop_rank, at.rank),
+        ("the mobility is", whole.instantaneous_mobility, at.mobility),
+        (
+            "the motion type is",
+            whole.platform.motion_type,
+            special.platform.motion_type,
+        ),
+        ("the couples are", whole.platform.couples, special.platform.couples),
         (
             "the freedom left with the actuators locked is",
-            answer.actuation and answer.actuation.remaining_platform_freedom,
+            whole.actuation and whole.actuation.remaining_platform_freedom,
             special.actuation and special.actuation.remaining_platform_freedom,
         ),
     ):
         if before != after:
-            differences.append(f"{name} {after}, in general {before}")
+            differences.append(f"{name} {after}, {otherwise} {before}")
     return SpecialValues(
         loop_rank=at.rank,
         redundant_constraints=size * len(network.loops) - at.rank,

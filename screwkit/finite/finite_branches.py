@@ -10,7 +10,7 @@ References: [Mueller2016], [Zlatanov2002].
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -23,6 +23,9 @@ from screwkit.finite.spanning_forest import Forest
 
 WALKERS = 4
 """Walks along each branch, also of those that look alike."""
+
+PLACES = 6
+"""Postures of each branch that are kept."""
 
 INEXACT = 1e-5
 """Largest failure of an invariant on a branch that is shaky wherever one stands."""
@@ -51,6 +54,7 @@ class FiniteBranch:
         modes: How many branches look like this from outside but differ in which joints
             move, in how other links do, or, if of one dimension, in the direction in
             which they leave the posture.
+        places: Some postures on it.
     """
 
     mobility: int
@@ -65,6 +69,7 @@ class FiniteBranch:
     starts: int
     ranks_met: tuple[int, ...] = ()
     modes: int = 1
+    places: Stance | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,6 +130,7 @@ def branches_of(
                 starts=len(members),
                 ranks_met=walked.ranks,
                 modes=len({point.pattern for point in members}),
+                places=stance.take(np.array([p.number for p in members[:PLACES]])),
             )
             for words, members in groups.items()
         )

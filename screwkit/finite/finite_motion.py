@@ -12,7 +12,7 @@ References: [Mueller2016], [Hunt1978], [Zlatanov2002].
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -68,12 +68,15 @@ class FiniteMotion:
             empty if undecided.
         branches: Largest first; empty where nothing moves.
         reason: What the samples show, or why they show nothing.
+        model: What was sampled, in its own lengths; the branches' places are postures
+            of it.
     """
 
     status: str
     mobility: tuple[int, ...]
     branches: tuple[FiniteBranch, ...]
     reason: str
+    model: PostureModel | None = field(default=None, compare=False, repr=False)
 
 
 def finite_motion(
@@ -103,8 +106,9 @@ def finite_motion(
         distances = scale * np.linspace(NEAREST, FARTHEST, FEW)
         near = around(forest, origin, kernel, distances, random)
         if near.closed.all():
-            return _regular(forest, kernel, near.stance, random)
-    return _singular(forest, origin, kernel, random)
+            found = _regular(forest, kernel, near.stance, random)
+            return replace(found, model=model)
+    return replace(_singular(forest, origin, kernel, random), model=model)
 
 
 def _regular(

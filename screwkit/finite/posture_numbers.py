@@ -93,6 +93,28 @@ def numbers_at(model: PostureModel, locked: Collection[str] = ()) -> PostureNumb
     )
 
 
+def connectivity_at(model: PostureModel) -> tuple[tuple[int, ...], ...] | None:
+    """The freedom of every body relative to every other, in the order of the links.
+
+    None where some bodies hang on nothing.
+    """
+    own = scaled(model)
+    forest = forest_of(own)
+    if len(forest.closing_joints) != len(own.joints) - len(own.links) + 1:
+        return None
+    stance = stance_of(own, forest)
+    matrix = loop_jacobian(forest, stance)[0]
+    _, kernel, _ = _split(matrix, len(own.screws))
+    twists = [
+        body_jacobian(forest, stance, forest.nodes[link])[0] @ kernel
+        for link in own.links
+    ]
+    return tuple(
+        tuple(0 if one is two else _rank(one - two)[0] for two in twists)
+        for one in twists
+    )
+
+
 def _split(matrix: Array, freedoms: int) -> tuple[int, Array, float]:
     """Rank, orthonormal basis of the null space as columns, and the gap."""
     if not matrix.size:

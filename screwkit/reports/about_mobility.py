@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from screwkit.algebra.names import counted
 from screwkit.reports.about_freedoms import (
     branch_blocks,
@@ -64,12 +66,35 @@ def mobility_blocks(answer: Mobility) -> tuple[Block, ...]:
     if answer.at_posture is not None:
         closing.append(moved(answer.at_posture, answer.platform_name))
     blocks += [Paragraph(words(text), 1) for text in closing]
-    if answer.at_values is not None:
-        blocks += [
-            Paragraph(words(f"at the values of the file: {text}"), 1)
-            for text in answer.at_values.differences
-        ]
+    return (*blocks, *at_values(answer))
+
+
+def at_values(answer: Mobility) -> tuple[Block, ...]:
+    """What differs at the values, or at the posture, of the file."""
+    special = answer.at_values
+    if special is None:
+        return ()
+    where = f"at the {'posture' if answer.on_motion else 'values'} of the file"
+    blocks: list[Block] = [
+        Paragraph(words(f"{where}: {text}"), 1) for text in special.differences
+    ]
+    if special.redundancies or special.remaining_freedoms:
+        there = replace(
+            answer,
+            redundancies=special.redundancies,
+            remaining_freedoms=special.remaining_freedoms,
+        )
+        blocks.append(Heading(words(where), 1))
+        blocks += [*redundancy_blocks(there), *freedom_blocks(there)]
     return tuple(blocks)
+
+
+def where_it_holds(answer: Mobility) -> str:
+    """For which postures and values the first numbers are."""
+    if answer.on_motion:
+        several = len(answer.full_cycle.branches) > 1
+        return "on branch 1 of the motion" if several else "on the motion"
+    return "in general" if answer.generic else "at the posture of the file"
 
 
 def topology_line(topology: Topology) -> str:
@@ -91,7 +116,7 @@ def freedoms(answer: Mobility) -> tuple[Text, ...]:
     """The answer in two sentences."""
     platform = answer.platform
     name = platform_called(answer.platform_name)
-    where = "in general" if answer.generic else "at the posture of the file"
+    where = where_it_holds(answer)
     of_platform: Text = (Words(f"{name} has no freedom, {where}"),)
     if answer.topology.links == 1:
         of_platform = words("base and platform are one body, which has no freedom")

@@ -226,7 +226,10 @@ def _mobility_section(answer: Mobility | Undecided) -> tuple[Block, ...]:
         )
     if answer.at_values is not None and answer.at_values.differences:
         said = " ".join(_sentence(text) for text in answer.at_values.differences)
-        blocks.append(Paragraph(prose(f"The values of the file are special. {said}")))
+        what = (
+            "posture of the file is" if answer.on_motion else "values of the file are"
+        )
+        blocks.append(Paragraph(prose(f"The {what} special. {said}")))
     return tuple(blocks)
 
 

@@ -273,8 +273,13 @@ class Connectivity:
 class SpecialValues:
     """The answer again at the values that the file gives to its symbols.
 
+    Or at the posture of the file, where the whole answer is that on the motion.
+
     Attributes:
         differences: One sentence per number that differs from the generic answer.
+        redundancies: By name, where the whole answer has none because it is that on
+            the motion.
+        remaining_freedoms: The same of what is free.
     """
 
     loop_rank: int
@@ -284,6 +289,8 @@ class SpecialValues:
     actuation: Actuation | None
     full_cycle: FullCycle
     differences: tuple[str, ...] = ()
+    redundancies: tuple[Redundancy, ...] = ()
+    remaining_freedoms: tuple[RemainingFreedom, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -327,6 +334,9 @@ class Mobility(Shown):
         loose_bodies: Bodies that no joint connects with the base.
         generic: Whether the answer holds for generic values of free symbols; else it
             holds at the posture of the file.
+        on_motion: Whether the posture of the file is special, so that the answer holds
+            on the motion through it, of several on that of the first branch; what
+            holds at the posture is in ``at_values``.
         at_posture: The answer where ``--at`` asked the mechanism to be moved.
     """
 
@@ -350,4 +360,5 @@ class Mobility(Shown):
     connectivity: Connectivity | None = None
     loose_bodies: tuple[str, ...] = ()
     generic: bool = True
+    on_motion: bool = False
     at_posture: AtPosture | None = None
