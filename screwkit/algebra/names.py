@@ -67,6 +67,17 @@ def counted(number: int, noun: str, plural: str = "") -> str:
     return f"{number} {noun if number == 1 else plural or noun + 's'}"
 
 
+def limb_called(name: str) -> str:
+    """A limb in a sentence, whether or not its name says that it is one.
+
+    >>> limb_called("limb_3"), limb_called("limb2"), limb_called("left")
+    ('limb 3', 'limb2', 'limb left')
+    """
+    if name.lower().startswith("limb"):
+        return name.replace("_", " ")
+    return f"limb {name}"
+
+
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """`` (did you mean 'x'?)`` for the nearest known name, or nothing.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from screwkit.algebra.names import limb_called
 from screwkit.analyses.screw_texts import ScrewTexts
 
 MANY = 8
@@ -53,7 +54,7 @@ def loop_words(text: ScrewTexts, joints: Sequence[str], limb: str = "") -> str:
     >>> loop_words(ScrewTexts("free", ("1", "0", "0")), "ABCD")
     'a couple about [1, 0, 0] carried around the loop A B C D'
     """
-    inside = f" inside {_limb(limb)}" if limb else ""
+    inside = f" inside {limb_called(limb)}" if limb else ""
     loop = " ".join(joints)
     return f"{wrench_words(text)} carried around the loop {loop}{inside}"
 
@@ -68,9 +69,10 @@ def limbs_words(exerted: Mapping[str, ScrewTexts]) -> str:
     'the couples of limbs a, b and c depend on each other'
     """
     texts = list(exerted.values())
-    names = listed(tuple(exerted))
-    if not all(name.startswith("limb") for name in exerted):
-        names = f"limbs {names}"
+    if all(name.lower().startswith("limb") for name in exerted):
+        names = listed([limb_called(name) for name in exerted])
+    else:
+        names = f"limbs {listed(tuple(exerted))}"
     if len(texts) == 2 and texts[0] == texts[1]:
         return f"{names} both carry {wrench_words(texts[0])}"
     what = plural_words([text.kind for text in texts])
@@ -88,7 +90,7 @@ def joints_words(kinds: Sequence[str], joints: Sequence[str], limb: str = "") ->
     >>> joints_words(["free", "line"], ["A", "B", "C"], "left")
     'the wrenches at joints A, B and C inside limb left depend on each other'
     """
-    inside = f" inside {_limb(limb)}" if limb else ""
+    inside = f" inside {limb_called(limb)}" if limb else ""
     place = f"joints {listed(joints)}"
     if len(joints) > MANY:
         place = f"{len(joints)} joints"
@@ -167,11 +169,6 @@ def listed(names: Sequence[str]) -> str:
 def bracketed(texts: Sequence[str]) -> str:
     """Coordinates in brackets."""
     return f"[{', '.join(texts)}]"
-
-
-def _limb(name: str) -> str:
-    """A limb by its name, which need not say that it is one."""
-    return name if name.startswith("limb") else f"limb {name}"
 
 
 def screw_moves(text: ScrewTexts) -> str:

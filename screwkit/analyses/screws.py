@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 
 from screwkit.algebra.common_factors import without_common_factors
 from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.names import limb_called
 from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.analyses.identified import ScrewWriter
 from screwkit.analyses.relative import twists_in_numbers
@@ -128,7 +129,7 @@ def constraint_wrenches(assembly: Assembly, limb: LimbChain) -> tuple[Column, ..
     found = _limb(assembly, limb)
     if found.system.missing:
         raise TooLargeError(
-            f"the constraint wrenches of limb {limb.name} are too long to be written "
+            f"the wrenches of {limb_called(limb.name)} are too long to be written "
             f"({found.system.size}); numbers for some symbols make them short"
         )
     return tuple(screw.column for screw in found.constraints)
@@ -377,7 +378,7 @@ def _at_rest(
 def _forces(found: _Limb, *, several: bool) -> dict[str, FoundScrew]:
     """The constraint forces of a limb by what they are called."""
     forces = [screw for screw in found.constraints if screw.how and not screw.is_free]
-    name = f"of limb {found.limb.name}"
+    name = f"of {limb_called(found.limb.name)}"
     if len(forces) == 1 and not several:
         return {f"the constraint force {name}": forces[0]}
     return {

@@ -127,7 +127,7 @@ def _proof(minors: int, rank: int, pieces: Sequence[Piece]) -> str:
     if not pieces:
         if minors == 1:
             return f"the one minor of size {rank} vanishes at no posture"
-        return f"of the {minors} minors of size {rank}, not all vanish at any posture"
+        return f"the {minors} minors of size {rank} vanish together at no posture"
     subject = (
         f"the one minor of size {rank} vanishes"
         if minors == 1

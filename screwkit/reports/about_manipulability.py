@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from screwkit.algebra.names import counted
+from screwkit.algebra.names import counted, limb_called
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -92,8 +92,8 @@ def _driven(answer: Manipulability) -> str:
     passive = listed(answer.passive)
     if len(answer.passive) > RATES:
         passive = f"{len(answer.passive)} freedoms"
-    tail = f", passive {passive}" if passive else ", no joint is passive"
-    return f"actuated {listed(answer.actuated)}{tail}"
+    tail = f"; passive: {passive}" if passive else "; no joint is passive"
+    return f"actuated: {listed(answer.actuated)}{tail}"
 
 
 def partition_blocks(partition: Partition, platform_name: str) -> tuple[Block, ...]:
@@ -339,7 +339,7 @@ def cooperative_blocks(
     )
     arms = tuple(
         (
-            words(f"{arm.name} alone"),
+            words(f"{limb_called(arm.name)} alone"),
             words(_lengths(arm.absolute_velocity) or "–"),
             words(_lengths(arm.external_force) or "–"),
             (),

@@ -44,7 +44,7 @@ from screwkit.results.mobility import (
 def mobility_blocks(answer: Mobility) -> tuple[Block, ...]:
     """The whole answer."""
     said = [*freedoms(answer)]
-    said += [words(t) for t in (class_sentence(answer), loose_sentence(answer)) if t]
+    said += [prose(t) for t in (class_sentence(answer), loose_sentence(answer)) if t]
     blocks: list[Block] = [
         *(Paragraph(text, 1) for text in said),
         counts_table(answer),
@@ -132,7 +132,8 @@ def freedoms(answer: Mobility) -> tuple[Text, ...]:
         Words("the mechanism has "),
         Strong(counted(answer.instantaneous_mobility, "freedom")),
         Words(
-            f"{finite(answer)}; {idle(answer)}, "
+            f"{finite(answer)}; "
+            f"{f'{idle(answer)}, ' if answer.instantaneous_mobility else ''}"
             f"{redundant(answer.redundant_constraints)}"
         ),
     )

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from screwkit.algebra.names import counted
+from collections.abc import Iterator
+from itertools import groupby
+
+from screwkit.algebra.names import counted, limb_called
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -42,7 +45,7 @@ def screws_blocks(answer: Screws) -> tuple[Block, ...]:
     for limb in answer.limbs:
         blocks += [
             Heading(
-                words(f"limb {limb.name}: {listed(limb.joints)}"),
+                words(f"{limb_called(limb.name)}: {listed(limb.joints)}"),
                 1,
                 words(dimensions(limb.twist_dimension, limb.wrench_dimension)),
             ),
@@ -178,13 +181,29 @@ def freedom_names(wrenches: tuple[ActuationWrench, ...]) -> list[str]:
     ]
 
 
+def _entries(
+    wrenches: tuple[ActuationWrench, ...],
+) -> Iterator[tuple[str, ActuationWrench | None]]:
+    """Each freedom with what it adds; idle ones in a row in one line, with None."""
+    named = zip(freedom_names(wrenches), wrenches, strict=True)
+    for adds, group in groupby(named, key=lambda pair: pair[1].screw is not None):
+        run = list(group)
+        if adds:
+            yield from run
+        elif len(run) <= 2:
+            yield from ((name, None) for name, _ in run)
+        else:
+            yield f"{run[0][0]} … {run[-1][0]}", None
+
+
 def actuation_listing(wrenches: tuple[ActuationWrench, ...], order: str) -> Listing:
     """One entry a freedom; a freedom that adds nothing says so."""
     items: list[Condition] = []
-    for name, entry in zip(freedom_names(wrenches), wrenches, strict=True):
-        if entry.screw is None:
+    for name, entry in _entries(wrenches):
+        if entry is None:
             items.append(Condition(name, words(f"nothing: {ADDS_NOTHING}")))
             continue
+        assert entry.screw is not None
         where = (Words(f"{entry.screw.kind}  "), *line(entry.screw))
         details = halves(entry.screw, order, wrench=True)
         items.append(Condition(name, where, details=details))
@@ -194,11 +213,12 @@ def actuation_listing(wrenches: tuple[ActuationWrench, ...], order: str) -> List
 def actuation_table(wrenches: tuple[ActuationWrench, ...], order: str) -> Table:
     """One row a freedom; a freedom that adds nothing says so."""
     rows: list[tuple[Text, ...]] = []
-    for name, entry in zip(freedom_names(wrenches), wrenches, strict=True):
-        if entry.screw is None:
+    for name, entry in _entries(wrenches):
+        if entry is None:
             nothing = words(f"adds nothing: {ADDS_NOTHING}")
             rows.append((words(name), words("–"), nothing, ()))
             continue
+        assert entry.screw is not None
         rows.append(
             (
                 words(name),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from screwkit.algebra.names import limb_called
 from screwkit.reports.blocks import (
     Block,
     Heading,
@@ -79,7 +80,7 @@ def limb_blocks(
     shown: int | None = SHOWN,
 ) -> list[Block]:
     """One limb's conditions and where they meet."""
-    head = f"{limb.limb}: {listed(limb.joints)}"
+    head = f"{limb_called(limb.limb)}: {listed(limb.joints)}"
     aside = f"rank {limb.generic_rank} in general" if show_rank else ""
     blocks: list[Block] = [Heading(words(head), 2, words(aside))]
     blocks += listing(entries, numbering, shown)

@@ -20,10 +20,8 @@ from screwkit.reports.about_freedoms import (
 from screwkit.reports.about_mobility import (
     freedoms,
     full_cycle,
-    idle,
     locked,
     motion_place,
-    redundant,
     topology_line,
 )
 from screwkit.reports.about_schemes import remarks, summary
@@ -201,8 +199,7 @@ def _mobility_section(answer: Mobility | Undecided) -> tuple[Block, ...]:
     blocks.append(
         Paragraph(
             words(
-                f"The loop constraint matrix has rank {answer.loop_rank}; "
-                f"{idle(answer)}, {redundant(answer.redundant_constraints)}. "
+                f"The loop constraint matrix has rank {answer.loop_rank}. "
                 f"{_sentence(full_cycle(answer))}"
             )
         )
@@ -210,7 +207,10 @@ def _mobility_section(answer: Mobility | Undecided) -> tuple[Block, ...]:
     if any(case.reason for case in answer.platform.cases):
         blocks.append(_motion_table(answer))
     if said := class_sentence(answer):
-        blocks.append(Paragraph(prose(_sentence(f"the platform's motion is {said}"))))
+        name, _, members = said.partition(": ")
+        whole = f"class of the platform's motion: {name}"
+        whole += f" – {members}" if members else ""
+        blocks.append(Paragraph(prose(_sentence(whole))))
     blocks += [
         *redundancy_blocks(answer, captioned=True),
         *freedom_blocks(answer, captioned=True),

@@ -6,7 +6,7 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import Final
 
-from screwkit.algebra.names import counted
+from screwkit.algebra.names import counted, limb_called
 from screwkit.reports.blocks import (
     Block,
     Citation,
@@ -21,6 +21,7 @@ from screwkit.reports.blocks import (
     Words,
     joined,
     math,
+    prose,
     words,
 )
 from screwkit.results.analysis import Description
@@ -33,17 +34,17 @@ def mechanism_section(description: Description) -> tuple[Block, ...]:
     """Section 1."""
     intro: list[Text] = [
         words(
-            f"The mechanism has {counted(description.links, 'body', 'bodies')}, the "
-            f"base {description.base} and the platform {description.platform} among "
-            "them."
+            f"The mechanism has {counted(description.links, 'body', 'bodies')}; "
+            f"{_ends(description)}."
         )
     ]
     if description.limbs:
-        limbs = "; ".join(
-            f"{name} with joints {', '.join(joints)}"
+        limbs = [
+            f"{limb_called(name)} with {_joints(joints)}"
             for name, joints in description.limbs
-        )
-        intro.append(words(f"Its limbs are {limbs}."))
+        ]
+        several = "limb is" if len(limbs) == 1 else "limbs are"
+        intro.append(words(f"Its {several} {'; '.join(limbs)}."))
     if description.source:
         intro.append(words(f"Source: {description.source.rstrip('.')}."))
     blocks: list[Block] = [Heading(words("The mechanism"), 1)]
@@ -61,6 +62,24 @@ def mechanism_section(description: Description) -> tuple[Block, ...]:
     if description.values:
         blocks.append(values_table(description))
     return tuple(blocks)
+
+
+def _ends(description: Description) -> str:
+    """Which bodies are base and platform, said once where they are called so."""
+    base, platform = description.base, description.platform
+    if base == platform:
+        return f"{base} is both base and platform"
+    first = "one is the base" if base == "base" else f"{base} is the base"
+    if platform == "platform":
+        last = "another the platform" if base == "base" else "one the platform"
+    else:
+        last = f"{platform} the platform"
+    return f"{first}, {last}"
+
+
+def _joints(joints: tuple[str, ...]) -> str:
+    noun = "joint" if len(joints) == 1 else "joints"
+    return f"{noun} {', '.join(joints)}"
 
 
 def geometry_table(description: Description) -> Table:
@@ -104,7 +123,7 @@ def geometry_table(description: Description) -> Table:
 
 def _entry(text: str) -> Text:
     """A cell of the geometry table: mathematics where it is a single expression."""
-    return math(text) if text and text[0] not in "[(" else words(text)
+    return math(text) if text and text[0] not in "[(" else prose(text)
 
 
 def _value(text: str) -> Text:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from screwkit.algebra.names import counted
 from screwkit.reports.about_schemes import by_simplicity, locus
 from screwkit.reports.blocks import Column, Math, Table, Text, prose, words
 from screwkit.reports.phrases import listed
@@ -27,7 +28,7 @@ def counts_table(answer: Schemes) -> Table:
     rows: list[tuple[Text, ...]] = []
     for name, total, admissible, classes, good in (
         (
-            f"all of {answer.size} freedoms",
+            f"all of {counted(answer.size, 'freedom')}",
             answer.total,
             answer.admissible,
             mirror.total if mirror else None,
@@ -50,7 +51,7 @@ def counts_table(answer: Schemes) -> Table:
                 words(f"{good[0]} ({good[1]})"),
             ]
         rows.append(tuple(row))
-    caption = f"Actuation schemes of {answer.size} freedoms"
+    caption = f"Actuation schemes of {counted(answer.size, 'freedom')}"
     if mirror is not None:
         caption += "; classes up to the mirror symmetry, their own image in brackets"
     return Table(tuple(columns), tuple(rows), words(caption), "table:schemes")

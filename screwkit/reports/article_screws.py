@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from screwkit.algebra.names import counted
+from screwkit.algebra.names import counted, limb_called
 from screwkit.reports.about_screws import (
     actuation_table,
     convention,
@@ -18,6 +18,7 @@ from screwkit.reports.blocks import (
     Text,
     words,
 )
+from screwkit.reports.phrases import capital
 from screwkit.results.screws import IdentifiedScrew, Screws
 
 
@@ -26,12 +27,12 @@ def screws_section(answer: Screws) -> tuple[Block, ...]:
     text = convention(answer)
     blocks: list[Block] = [
         Heading(words("Screw systems"), 1),
-        Paragraph(words(f"{text[:1].upper()}{text[1:]}.")),
+        Paragraph(words(f"{capital(text)}.")),
     ]
     for index, limb in enumerate(answer.limbs):
         joints = ", ".join(limb.joints)
         caption = (
-            f"Limb {limb.name} (joints {joints}): twist system of dimension "
+            f"{capital(limb_called(limb.name))} ({joints}): twist system of dimension "
             f"{limb.twist_dimension}, wrench system of dimension "
             f"{limb.wrench_dimension}"
         )

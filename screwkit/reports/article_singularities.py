@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from screwkit.algebra.names import counted
+from screwkit.algebra.names import counted, limb_called
 from screwkit.reports.about_singularities import idle_place, meeting, verdict
 from screwkit.reports.blocks import (
     Block,
@@ -27,6 +27,7 @@ from screwkit.reports.conditions import (
     reads_well,
     solution_text,
 )
+from screwkit.reports.phrases import capital
 from screwkit.results.singularities import (
     ActuationSingularities,
     ConstraintSingularities,
@@ -66,7 +67,7 @@ def singularities_sections(answer: Singularities) -> tuple[Block, ...]:
     numbering = numbered(answer)
     blocks: list[Block] = [Heading(words("Limb singularities"), 1)]
     if not answer.limb:
-        blocks.append(Paragraph(words("There is no limb.")))
+        blocks.append(Paragraph(words("The platform has no limb.")))
     for index, (limb, entries) in enumerate(
         zip(answer.limb, numbering.limbs, strict=True)
     ):
@@ -83,13 +84,13 @@ def _limb(
     numbering: Numbering,
     index: int,
 ) -> list[Block]:
+    name, joints = capital(limb_called(limb.limb)), ", ".join(limb.joints)
     head = (
-        f"Limb {limb.limb}, joints {', '.join(limb.joints)}: the twist system has rank "
-        f"{limb.generic_rank} in general."
+        f"{name} ({joints}): the twist system has rank {limb.generic_rank} in general."
     )
     blocks: list[Block] = [Paragraph(words(head))]
     if entries:
-        caption = f"Rank deficiency of limb {limb.limb}"
+        caption = f"Rank deficiency of {limb_called(limb.limb)}"
         blocks.append(
             _conditions(entries, numbering, caption, f"table:limb-singular{index}")
         )

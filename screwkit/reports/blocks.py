@@ -7,9 +7,13 @@ text of the expression grammar until a renderer writes it.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
+from screwkit.algebra.limits import RESULT_LIMITS
+from screwkit.algebra.parse import parse
+from screwkit.errors import ExpressionError
 from screwkit.reports.panels import Panel
 
 
@@ -225,8 +229,38 @@ def words(text: str) -> Text:
 
 
 def prose(text: str) -> Text:
-    """A sentence of an answer as a `Text`; nothing for the empty string."""
-    return (Prose(text),) if text else ()
+    """A sentence of an answer as a `Text`; nothing for the empty string.
+
+    Coordinates in square brackets are set as mathematics.
+
+    >>> prose("along [0, sqrt(3)/2]")[1:3]
+    (Words(text='['), Math(text='0', terms=0))
+    """
+    spans: list[Span] = []
+    for part in _BRACKETS.split(text):
+        spans += _coordinates(part) or ((Prose(part),) if part else ())
+    return tuple(spans)
+
+
+_BRACKETS = re.compile(r"(\[[^\[\]]*\])")
+_SHORT = 40
+
+
+def _coordinates(part: str) -> Text:
+    """``[x, y, z]`` as spans; nothing where that is no vector of expressions."""
+    if not part.startswith("["):
+        return ()
+    entries = part[1:-1].split(", ")
+    try:
+        for entry in entries:
+            parse(entry, limits=RESULT_LIMITS)
+    except ExpressionError:
+        return ()
+    space = "\u00a0" if len(part) < _SHORT else " "
+    spans: list[Span] = [Words("[")]
+    for entry in entries:
+        spans += [Math(entry), Words(f",{space}")]
+    return (*spans[:-1], Words("]"))
 
 
 def math(text: str, terms: int = 0) -> Text:

@@ -22,6 +22,11 @@ def signed(number: int | None) -> str:
     return "–" if number is None else str(number).replace("-", "−")
 
 
+def capital(text: str) -> str:
+    """With a capital first letter."""
+    return text[:1].upper() + text[1:]
+
+
 def listed(names: Iterable[str]) -> str:
     """Names of freedoms as they are typed: ``1 2 3 7``."""
     return " ".join(names)

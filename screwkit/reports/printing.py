@@ -16,8 +16,8 @@ _SEQUENCES: Final = {_BOLD: "\x1b[1m", _PLAIN: "\x1b[0m", HARD_SPACE: " ", "\n":
 
 
 def printable(text: str) -> str:
-    """Text on one line, without control characters and marks of direction."""
-    return "".join(c if c.isprintable() else " " for c in text)
+    """Text on one line without control characters; hard spaces stay until the end."""
+    return "".join(c if c.isprintable() or c == HARD_SPACE else " " for c in text)
 
 
 def strong(text: str) -> str:

@@ -117,7 +117,9 @@ def escape(text: str) -> str:
     >>> print(escape(r"50% of \input{a_b}"))
     50\% of \textbackslash{}input\{a\_b\}
     """
-    return "".join(_character(character) for character in text)
+    # Two hyphens, as of an option, are no dash.
+    parts = ("".join(map(_character, part)) for part in text.split("--"))
+    return "-{}-".join(parts)
 
 
 def _character(character: str) -> str:
