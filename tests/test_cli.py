@@ -465,7 +465,7 @@ def test_a_bundled_case_end_to_end(tmp_path: Path) -> None:
 
 @needs_engine
 def test_an_unknown_case_is_2() -> None:
-    done = python("-m", "screwkit.cli", "mobility", "no_such_case")
+    done = python("-m", "screwkit.cli", "mobility", "no_such_case", "--quiet")
     assert done.returncode == 2
     assert len(done.stderr.splitlines()) == 1
 
