@@ -7,7 +7,14 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from kinematics.random_mechanisms import Similarity, dot, random_joint, rank
+from kinematics.random_mechanisms import (
+    Similarity,
+    dot,
+    random_joint,
+    rank,
+    read_number,
+    written,
+)
 from kinematics.test_freedoms import EVERY, NAMES, RING, same_span
 
 from screwkit.kinematics.contacts import contact_wrenches
@@ -27,6 +34,21 @@ SELECTORS = {
     JointType.REVOLUTE: (3, 2),
     JointType.PRISMATIC: (2, 3),
     JointType.SPHERICAL: (3, 0),
+    # By the same reasoning, beyond the tables.
+    JointType.CYLINDRICAL: (2, 2),
+    JointType.UNIVERSAL: (3, 1),
+    JointType.PLANAR: (1, 2),
+    JointType.FIXED: (3, 3),
+}
+IN_THE_PLANE = {
+    JointType.POINT: (1, 0),
+    JointType.HARD_FINGER: (2, 0),
+    JointType.LINE: (1, 1),
+    JointType.PLANE: (1, 1),
+    JointType.COMPLETE: (2, 1),
+    JointType.REVOLUTE: (2, 0),
+    JointType.PRISMATIC: (1, 1),
+    JointType.FIXED: (2, 1),
 }
 
 
@@ -58,6 +80,51 @@ def test_rows_of_the_selectors(kind: JointType) -> None:
         kinds = [w.kind for w in contact_wrenches(joint, RING)]
         assert (kinds.count("force"), kinds.count("couple")) == SELECTORS[kind]
         assert kinds == sorted(kinds, reverse=True)  # forces before couples
+
+
+@pytest.mark.parametrize("kind", IN_THE_PLANE)
+def test_rows_of_the_selectors_in_the_plane(kind: JointType) -> None:
+    """Forces in the plane, couples about z."""
+    for joint in drawn(kind, "planar"):
+        rows = contact_wrenches(joint, RING, "planar")
+        kinds = [w.kind for w in rows]
+        assert (kinds.count("force"), kinds.count("couple")) == IN_THE_PLANE[kind]
+        for row in rows:
+            force, moment = row.coordinates[2], row.coordinates[3:5]
+            assert not force
+            assert not any(moment)
+
+
+def test_a_line_with_friction_hinges_about_its_line_and_no_more() -> None:
+    """With normal z and line x it turns about x; about y and z it is held (E16)."""
+    for kind, free in (
+        (JointType.LINE_FRICTION, [(1, 0, 0)]),
+        (JointType.LINE, [(1, 0, 0), (0, 0, 1)]),
+        (JointType.PLANE, [(0, 0, 1)]),
+        (JointType.SOFT_FINGER, [(1, 0, 0), (0, 1, 0)]),
+    ):
+        joint = replace(
+            drawn(kind, "spatial")[0],
+            point=written((0, 0, 0)),
+            normal=written((0, 0, 1)),
+            line=written((1, 0, 0)) if "line" in kind else None,
+        )
+        held = [w.coordinates for w in contact_wrenches(joint, RING)]
+        for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1)):
+            felt = any(dot(w[3:], tuple(map(Fraction, axis))) for w in held)
+            assert felt == (axis not in free), (kind, axis)
+
+
+def test_a_screw_joint_holds_a_screw() -> None:
+    """Zᵀv − h zᵀω: two forces, two couples and a wrench of pitch −h."""
+    for joint in drawn(JointType.HELICAL, "spatial"):
+        rows = contact_wrenches(joint, RING)
+        kinds = [w.kind for w in rows]
+        assert [kinds.count(k) for k in ("force", "screw", "couple")] == [2, 1, 2]
+        (screw,) = (w for w in rows if w.kind == "screw")
+        assert joint.pitch is not None
+        pitch = dot(screw.force, screw.moment) / dot(screw.force, screw.force)
+        assert pitch == -read_number(joint.pitch)
 
 
 @pytest.mark.parametrize(("kind", "space"), EVERY, ids=NAMES)
