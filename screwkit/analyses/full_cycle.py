@@ -19,13 +19,14 @@ OUT_OF_PLANE = 2
 
 
 def full_cycle(
-    network: Network, at: Motion, known: FullCycle | None = None
+    network: Network, at: Motion, kind: str, known: FullCycle | None = None
 ) -> tuple[FullCycle, FiniteMotion | None]:
     """The finite mobilities around a posture, and the samples where some were taken.
 
     Args:
         network: The mechanism.
         at: Its motion at the posture.
+        kind: The platform's motion type there.
         known: The answer at the values of the file, where the rank is the same.
     """
     mechanism = network.mechanism
@@ -33,28 +34,28 @@ def full_cycle(
     if mechanism.geometry == "mdh" and not network.tied and not held:
         return _all_closed(network, at), None
     proof = proved_mobility(network, at)
-    if known is not None:
-        sample = None
-    else:
-        sample = sampled_motion(mechanism, generic=bool(mechanism.parameters))
-    if proof is not None:
-        branches = known.branches if known is not None else _branches(network, sample)
-        if {branch.mobility for branch in branches} - set(proof.mobility):
-            branches = ()  # a sample that went elsewhere proves nothing
-        reason = proof.reason
-        missed = "" if network.has_symbols else near_miss(mechanism, at.rank)
-        if missed:
-            reason = f"{reason}; {missed}"
-        return FullCycle("proved", proof.mobility, reason, branches), sample
-    if known is not None:
-        if known.status == "undecided":
-            return known, None
-        reason = (
-            f"at the values of the file, where the rank is the same: {known.reason}"
-        )
-        return FullCycle("sampled", known.mobility, reason, known.branches), None
-    assert sample is not None
-    return cycle_of(network, sample), sample
+    if proof is not None and known is not None and _as_proved(known, at, kind):
+        return FullCycle("proved", proof.mobility, proof.reason, known.branches), None
+    sample = sampled_motion(mechanism, generic=bool(mechanism.parameters))
+    if proof is None:
+        return cycle_of(network, sample), sample
+    branches = _branches(network, sample)
+    if {branch.mobility for branch in branches} - set(proof.mobility):
+        branches = ()  # a sample that went elsewhere proves nothing
+    reason = proof.reason
+    missed = "" if network.has_symbols else near_miss(mechanism, at.rank)
+    if missed:
+        reason = f"{reason}; {missed}"
+    return FullCycle("proved", proof.mobility, reason, branches), sample
+
+
+def _as_proved(known: FullCycle, at: Motion, kind: str) -> bool:
+    """Whether the values show one branch of full mobility that moves as in general.
+
+    Then that branch, proved for generic values, need not be looked at again.
+    """
+    looks = {(branch.mobility, branch.motion_type) for branch in known.branches}
+    return looks == {(at.mobility, kind)}
 
 
 def _all_closed(network: Network, at: Motion) -> FullCycle:

@@ -142,7 +142,7 @@ def _answer(
     known = None
     if special is not None and special.at.rank == at.rank:
         known = special.full_cycle
-    cycle, sample = full_cycle(network, at, known)
+    cycle, sample = full_cycle(network, at, about.motion_type, known)
     if sample is None and special is not None:
         sample = special.sample
     about = finite_types(about, cycle, at.mobility)
@@ -238,6 +238,8 @@ def _special(whole: Mobility, special: _Answer) -> SpecialValues:
     ):
         if before != after:
             differences.append(f"{name} {after}, {otherwise} {before}")
+    if not whole.on_motion:
+        differences += _finite_differences(whole, special)
     return SpecialValues(
         loop_rank=at.rank,
         redundant_constraints=size * len(network.loops) - at.rank,
@@ -247,3 +249,19 @@ def _special(whole: Mobility, special: _Answer) -> SpecialValues:
         full_cycle=special.full_cycle,
         differences=tuple(differences),
     )
+
+
+def _finite_differences(whole: Mobility, special: _Answer) -> list[str]:
+    """What finite motion differs in, where both are known."""
+    differences = []
+    before, after = whole.full_cycle.mobility, special.full_cycle.mobility
+    if before and after and before != after:
+        here, otherwise = (" or ".join(map(str, each)) for each in (after, before))
+        differences.append(f"the finite mobility is {here}, in general {otherwise}")
+    elif after == (0,) and special.at.mobility and not whole.instantaneous_mobility:
+        differences.append("the structure is shaky, in general rigid")
+    types = whole.platform.finite_motion_types, special.platform.finite_motion_types
+    if all(types) and types[0] != types[1]:
+        otherwise, here = (" or ".join(each) for each in types)
+        differences.append(f"the finite motion type is {here}, in general {otherwise}")
+    return differences
