@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from finite.linkages import ring
 
-from screwkit.analyses.full_cycle import full_cycle
+from screwkit.analyses.mobility import mobility
 from screwkit.finite.near_miss import near_miss
 from screwkit.kinematics.network import Network
 
@@ -27,7 +27,7 @@ def bennett(error: str) -> Network:
 @pytest.mark.parametrize("digits", [8, 10, 14, 20])
 def test_a_rounded_linkage_is_rigid_and_it_is_said_what_was_meant(digits: int) -> None:
     rounded = bennett(f"1/{10**digits}")
-    found, _ = full_cycle(rounded, rounded.motion)
+    found = mobility(rounded).full_cycle
     assert (found.status, found.mobility) == ("proved", (0,))
     assert "up to the rounding of decimals the loop rank is 3" in found.reason
     assert "the mobility 1" in found.reason
