@@ -82,6 +82,8 @@ def assumptions_in_words(assembly: Assembly) -> tuple[str, ...]:
     if parameters:
         words.append(
             f"no special relation between the dimensions {', '.join(parameters)}"
+            if len(parameters) > 1
+            else f"no special value of the dimension {parameters[0]}"
         )
     return tuple(words)
 
@@ -131,10 +133,13 @@ def _proof(minors: int, rank: int, pieces: Sequence[Piece]) -> str:
     subject = (
         f"the one minor of size {rank} vanishes"
         if minors == 1
-        else f"all {minors} minors of size {rank} vanish"
+        else f"the {minors} minors of size {rank} vanish"
     )
+    where, one = "on each", "on one of them"
+    if len(pieces) == 1:
+        where = one = "there"
     return (
-        f"{subject} on each; every common zero lies on one of them, by exhaustive case "
+        f"{subject} {where}; every common zero lies {one}, by exhaustive case "
         f"distinction over the factors of the minors"
     )
 

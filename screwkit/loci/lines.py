@@ -11,7 +11,7 @@ References: [Merlet1989]; [LongCaroKhalil2012] §5, [Hunt1978].
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Any, TypeAlias
 
@@ -49,6 +49,7 @@ class Candidate:
             the zero vector and the direction.
         point: A point of the line; None where none is short, and for directions.
         rank: Smaller is simpler.
+        parts: How many axes, points and right angles its words name.
     """
 
     name: str
@@ -56,6 +57,7 @@ class Candidate:
     screw: ScrewOf
     point: PlaceOf | None = None
     rank: int = 0
+    parts: int = 1
 
     @property
     def free(self) -> bool:
@@ -88,7 +90,7 @@ class Catalogue:
         if not self.whole:
             sources = [sources[0], sources[2], sources[1]]
         return [
-            Candidate(c.name, c.how, c.screw, c.point, number * 100 + c.rank)
+            replace(c, rank=number * 100 + c.rank)
             for number, source in enumerate(sources)
             for c in source
         ]
@@ -139,7 +141,7 @@ class Catalogue:
             yield Candidate("", how, free(along(name)), None, 1)
         for i, j in combinations(self._combined, 2):
             how = f"normal to {self._called(i, j)}"
-            yield Candidate("", how, free(normal_to(i, j)), None, 2)
+            yield Candidate("", how, free(normal_to(i, j)), None, 2, 2)
 
     # -- lines -------------------------------------------------------------------
 
@@ -150,22 +152,23 @@ class Catalogue:
             yield Candidate(name, f"along {name}", screw, lambda g: g.origin)
 
     def _lines(self) -> Iterator[Candidate]:
-        for rank, source in enumerate(
+        for rank, (parts, source) in enumerate(
             (
-                self._joining(),
-                self._through_points(self._along_axes()),
-                self._on_axes(),
-                self._through_points(self._along_units()),
-                self._through_points(self._across_axes()),
-                self._common_normals(),
-                self._in_planes(),
-                self._meeting(),
-                self._across_planes(),
-                self._through_axes(),
+                (2, self._joining()),
+                (2, self._through_points(self._along_axes())),
+                (1, self._on_axes()),
+                (2, self._through_points(self._along_units())),
+                (3, self._through_points(self._across_axes())),
+                (3, self._common_normals()),
+                (4, self._in_planes()),
+                (3, self._meeting()),
+                (4, self._across_planes()),
+                (2, self._through_axes((*self._along_axes(), *self._along_units()))),
+                (3, self._through_axes(self._across_axes())),
             )
         ):
             for c in source:
-                yield Candidate(c.name, c.how, c.screw, c.point, rank)
+                yield replace(c, rank=rank, parts=parts)
 
     def _on_axes(self) -> Iterator[Candidate]:
         for name in self._located:
@@ -245,13 +248,9 @@ class Catalogue:
                 )
                 yield Candidate(f"the line {words}", words, chord(plane, k, m))
 
-    def _through_axes(self) -> Iterator[Candidate]:
+    def _through_axes(self, ways: Iterable[_Way]) -> Iterator[Candidate]:
         named = {name for point in self.features.points for name in point.joints}
-        directions = (
-            *self._along_axes(),
-            *self._along_units(),
-            *self._across_axes(),
-        )
+        directions = tuple(ways)
         for i in self._located:
             if i in named and self.whole:
                 continue

@@ -220,7 +220,7 @@ class Finder:
                     continue
                 if longest and not self._is_short(screw.column, longest):
                     continue
-                chosen.append(screw)
+                chosen.append(self._named_most_simply(candidate, screw, columns))
                 rows.append(row)
                 if len(chosen) == size:
                     break
@@ -231,6 +231,37 @@ class Finder:
                     chosen.append(pure(self.ring, screw, chosen))
                     rows.append(row)
         return chosen
+
+    def _named_most_simply(
+        self, candidate: Candidate, screw: FoundScrew, columns: Sequence[Column]
+    ) -> FoundScrew:
+        """The line as an axis where it is one: in the fewest parts, proved the same."""
+        row = next(row for known, row in self._tried if known is candidate)
+        shortest = self._said[self._key(row)]
+        if shortest.parts >= candidate.parts:
+            return screw
+        other = self.exact(shortest, columns)
+        if not proportional(self.ring, screw.column, other.column):
+            return screw
+        if _terms(other.column) <= _terms(screw.column):
+            return other
+        return replace(screw, name=other.name, how=other.how)
+
+    @cached_property
+    def _said(self) -> dict[tuple[int, ...], Candidate]:
+        """Of the candidates on one line the one of the fewest parts."""
+        found: dict[tuple[int, ...], Candidate] = {}
+        for candidate, row in self._tried:
+            key = self._key(row)
+            if key not in found or candidate.parts < found[key].parts:
+                found[key] = candidate
+        return found
+
+    def _key(self, row: Sequence[int]) -> tuple[int, ...]:
+        """A row up to a factor."""
+        _, prime = sample(self.ring)
+        inverse = pow(next(value for value in row if value), -1, prime)
+        return tuple(value * inverse % prime for value in row)
 
     def _is_short(self, column: Column, longest: int) -> bool:
         if sum(len(value) for value in column) * 4 > longest:
@@ -269,6 +300,17 @@ def pure(
     if best is None or _terms(best) * 12 > max(LONGEST, 12 * _terms(column)):
         return screw
     return FoundScrew(best)
+
+
+def proportional(
+    ring: TrigonometricRing, one: Sequence[Polynomial], other: Sequence[Polynomial]
+) -> bool:
+    """Whether two screws, neither of them zero, differ by a factor alone."""
+    pivot = next(i for i, value in enumerate(one) if value != 0)
+    return all(
+        ring.normal(a * other[pivot] - b * one[pivot]) == 0
+        for a, b in zip(one, other, strict=True)
+    )
 
 
 def span_of(

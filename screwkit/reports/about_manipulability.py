@@ -85,15 +85,15 @@ def _article(kind: str, count: int) -> str:
 
 
 def _named(names: Sequence[str]) -> str:
-    return listed(names) if len(names) <= RATES else f"({len(names)} of them)"
+    return ", ".join(names) if len(names) <= RATES else f"({len(names)} of them)"
 
 
 def _driven(answer: Manipulability) -> str:
-    passive = listed(answer.passive)
+    passive = ", ".join(answer.passive)
     if len(answer.passive) > RATES:
         passive = f"{len(answer.passive)} freedoms"
     tail = f"; passive: {passive}" if passive else "; no joint is passive"
-    return f"actuated: {listed(answer.actuated)}{tail}"
+    return f"actuated: {', '.join(answer.actuated)}{tail}"
 
 
 def partition_blocks(partition: Partition, platform_name: str) -> tuple[Block, ...]:

@@ -95,7 +95,7 @@ def factors_table(answer: Schemes) -> Table:
     """The factors of the loci with what they mean."""
     ordered = sorted(answer.factors, key=lambda f: (-f.schemes, f.terms))
     taken = ordered[:SHOWN_FACTORS]
-    rows = tuple(
+    rows: tuple[tuple[Text, ...], ...] = tuple(
         (
             (Math(factor.equation, factor.terms),),
             words(str(factor.schemes)),
@@ -103,11 +103,13 @@ def factors_table(answer: Schemes) -> Table:
         )
         for factor in taken
     )
-    columns = (
+    columns: tuple[Column, ...] = (
         Column(words("Factor"), "wrap", 1.2),
         Column(words("Schemes"), "right"),
         Column(words("Meaning"), "wrap"),
     )
+    if not any(factor.meaning for factor in taken):
+        columns, rows = columns[:-1], tuple(row[:-1] for row in rows)
     caption = "Factors of the loci"
     if len(taken) < len(ordered):
         caption += (

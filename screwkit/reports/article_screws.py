@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from screwkit.algebra.names import counted, limb_called
+from screwkit.algebra.names import limb_called
 from screwkit.reports.about_screws import (
     actuation_table,
     convention,
     coordinates,
+    dimensions,
     line,
 )
 from screwkit.reports.blocks import (
@@ -32,9 +33,8 @@ def screws_section(answer: Screws) -> tuple[Block, ...]:
     for index, limb in enumerate(answer.limbs):
         joints = ", ".join(limb.joints)
         caption = (
-            f"{capital(limb_called(limb.name))} ({joints}): twist system of dimension "
-            f"{limb.twist_dimension}, wrench system of dimension "
-            f"{limb.wrench_dimension}"
+            f"{capital(limb_called(limb.name))} ({joints}): "
+            f"{dimensions(limb.twist_dimension, limb.wrench_dimension)}"
         )
         blocks.append(
             _system(
@@ -42,9 +42,8 @@ def screws_section(answer: Screws) -> tuple[Block, ...]:
             )
         )
     platform = answer.platform
-    caption = (
-        f"Platform: {counted(platform.twist_dimension, 'freedom')}, wrench system of "
-        f"dimension {platform.wrench_dimension}"
+    caption = "Platform: " + dimensions(
+        platform.twist_dimension, platform.wrench_dimension
     )
     blocks.append(
         _system(

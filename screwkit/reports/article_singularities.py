@@ -175,7 +175,7 @@ def _sentence(text: str) -> str:
 def _conditions(
     entries: tuple[Numbered, ...], numbering: Numbering, caption: str, label: str
 ) -> Table:
-    """No., condition, solution, rank, geometry."""
+    """No., condition, solution, rank, what it means."""
     ordered = by_number(entries)
     rows = tuple(_row(entry, numbering) for entry in ordered)
     columns = (
@@ -183,7 +183,7 @@ def _conditions(
         Column(words("Condition"), "wrap", 1.25),
         Column(words("Solution"), "wrap"),
         Column(words("Rank"), "centre"),
-        Column(words("Geometry"), "wrap", 1.15),
+        Column(words("What it means"), "wrap", 1.15),
     )
     return Table(
         columns,

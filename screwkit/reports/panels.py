@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from screwkit.algebra.names import limb_called
 from screwkit.reports.decimals import decimal
 from screwkit.results.manipulability import (
     Cooperative,
@@ -81,11 +82,12 @@ def panels_of(answer: Manipulability) -> tuple[Panel, ...]:
 def _of_arms(cooperative: Cooperative, scene: Scene) -> tuple[Panel, ...]:
     arms = cooperative.arms
     velocities = [
-        (f"arm {k}", arm.name, arm.absolute_velocity.linear)
+        (f"arm {k}", limb_called(arm.name), arm.absolute_velocity.linear)
         for k, arm in enumerate(arms)
     ]
     forces = [
-        (f"arm {k}", arm.name, arm.external_force.linear) for k, arm in enumerate(arms)
+        (f"arm {k}", limb_called(arm.name), arm.external_force.linear)
+        for k, arm in enumerate(arms)
     ]
     found = []
     for title, own, others, what in (

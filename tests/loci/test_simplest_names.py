@@ -1,0 +1,48 @@
+"""A line is called by the axis it is, not by the points and axes that also fix it."""
+
+from __future__ import annotations
+
+import pytest
+
+import screwkit as sk
+from screwkit.loci.reciprocals import proportional
+
+
+@pytest.mark.parametrize(
+    ("name", "limb", "axis"),
+    [("exechon", 0, "U11:1"), ("exechon", 1, "U21:1")],
+)
+def test_a_force_on_an_axis_is_said_to_be_there(
+    name: str, limb: int, axis: str
+) -> None:
+    """The coordinates show it: the force is the twist of that axis, read as a wrench."""
+    case = sk.load(name)
+    screws = sk.screws(case).limbs[limb]
+    (force,) = [w for w in screws.wrenches if w.kind == "force"]
+    assert force.description == f"force along axis {axis}"
+    framed = case.assembly.base_twists
+    column = framed.column(axis)
+    wrenches = case.limbs[limb].wrenches.columns
+    assert any(proportional(framed.ring, column, wrench) for wrench in wrenches)
+
+
+def test_locked_joints_of_a_four_ruu_limb_push_along_axes() -> None:
+    """Locking one of two parallel axes leaves the other to carry the force."""
+    added = {
+        (w.joint, w.freedom): w.screw
+        for w in sk.screws(sk.load("4ruu")).actuation_wrenches
+    }
+    for joint, other in (("U12", "U13:1"), ("U22", "U23:1")):
+        screw = added[joint, 1]
+        assert screw is not None
+        assert screw.description == f"force along axis {other}"
+
+
+def test_proportional_columns_differ_by_a_factor() -> None:
+    framed = sk.load("nao_t14").assembly.base_twists
+    one, other = framed.columns[2], framed.columns[3]
+    ring = framed.ring
+    factor = next(value for value in other if not value.is_constant())
+    scaled = [ring.normal(factor * value) for value in one]
+    assert proportional(ring, one, scaled)
+    assert not proportional(ring, one, other)
