@@ -380,8 +380,13 @@ def _forces(found: _Limb, *, several: bool) -> dict[str, FoundScrew]:
     forces = [screw for screw in found.constraints if screw.how and not screw.is_free]
     name = f"of {limb_called(found.limb.name)}"
     if len(forces) == 1 and not several:
-        return {f"the constraint force {name}": forces[0]}
+        return {_axis(forces[0]) or f"the constraint force {name}": forces[0]}
     return {
-        f"constraint force {number} {name}": force
+        _axis(force) or f"constraint force {number} {name}": force
         for number, force in enumerate(forces, 1)
     }
+
+
+def _axis(force: FoundScrew) -> str:
+    """The axis that a force lies on; empty for other lines."""
+    return force.name if force.name.startswith("axis ") else ""

@@ -123,8 +123,13 @@ class Catalogue:
 
     def _called(self, *axes: str) -> str:
         """``axes 1 and 2``, ``the force of limb left and axis 3``."""
-        joints = [name for name in axes if name not in self.forces]
-        named = [name for name in axes if name in self.forces]
+        forces = [name for name in axes if name in self.forces]
+        joints = [
+            name.removeprefix("axis ") if name in forces else name
+            for name in axes
+            if name not in forces or name.startswith("axis ")
+        ]
+        named = [name for name in forces if not name.startswith("axis ")]
         if joints:
             noun = "axis" if len(joints) == 1 else "axes"
             named.append(f"{noun} {listed(joints)}")

@@ -254,7 +254,8 @@ def features_of(framed: FramedTwists) -> Features[Polynomial]:
         if distinct > 1 and not any(
             set(through) <= set(known.joints) for known in points
         ):
-            points = [p for p in points if not set(p.joints) < set(through)]
+            # A centre stays: one axis through it, or none, does not fix it.
+            points = [p for p in points if p.called or not set(p.joints) < set(through)]
             own = tuple(j for j in through if framed.limb_of(j) == axis.limb)
             points.append(Point(through, own, axis.point))
     planes = []

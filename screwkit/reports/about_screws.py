@@ -91,11 +91,14 @@ def dimensions(twists: int, wrenches: int) -> str:
     return f"{counted(twists, 'freedom')}, {constraints}"
 
 
+def halves_of(order: str) -> tuple[str, str]:
+    """How a twist and a wrench are written in this order."""
+    return ("(v; ω)", "(m; f)") if order == LINEAR else ("(ω; v)", "(f; m)")
+
+
 def convention(answer: Screws | RelativeMotion) -> str:
     """Order, frame and point, said before any coordinate."""
-    twist, wrench = (
-        ("(v; ω)", "(m; f)") if answer.order == LINEAR else ("(ω; v)", "(f; m)")
-    )
+    twist, wrench = halves_of(answer.order)
     where = "its origin" if answer.point == "origin" else answer.point
     return (
         f"twists {twist} and wrenches {wrench} in the axes of {answer.frame}, "

@@ -25,7 +25,7 @@ from screwkit.reports.about_mobility import (
     topology_line,
 )
 from screwkit.reports.about_schemes import remarks, summary
-from screwkit.reports.about_screws import convention
+from screwkit.reports.about_screws import convention, halves_of
 from screwkit.reports.article_manipulability import manipulability_section
 from screwkit.reports.article_mechanism import mechanism_section
 from screwkit.reports.article_schemes import (
@@ -348,11 +348,16 @@ def _claims_section(claims: tuple[ClaimCheck, ...]) -> tuple[Block, ...]:
 
 def _conventions_section(analysis: Analysis) -> tuple[Block, ...]:
     parts: list[Text] = []
+    order = ""
     if isinstance(analysis.screws, Screws):
+        order = analysis.screws.order
         parts.append(words(f"Screws: {_lowered(convention(analysis.screws))}."))
+    twist, wrench = halves_of(order)
     parts.append(
         (
-            Words("The reciprocal product of a wrench (f; m) and a twist (ω; v) is "),
+            Words(
+                f"The reciprocal product of a wrench {wrench} and a twist {twist} is "
+            ),
             Loose("f·v + m·ω"),
             Words(
                 ". Angles are radians. Ranks are exact and hold for generic values of "

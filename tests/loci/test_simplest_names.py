@@ -15,7 +15,7 @@ from screwkit.loci.reciprocals import proportional
 def test_a_force_on_an_axis_is_said_to_be_there(
     name: str, limb: int, axis: str
 ) -> None:
-    """The coordinates show it: the force is the twist of that axis, read as a wrench."""
+    """The coordinates show it: the twist of that axis, read as a wrench."""
     case = sk.load(name)
     screws = sk.screws(case).limbs[limb]
     (force,) = [w for w in screws.wrenches if w.kind == "force"]
@@ -36,6 +36,29 @@ def test_locked_joints_of_a_four_ruu_limb_push_along_axes() -> None:
         screw = added[joint, 1]
         assert screw is not None
         assert screw.description == f"force along axis {other}"
+
+
+@pytest.mark.parametrize("finger", [1, 2, 3])
+def test_forces_through_fingertips_are_named(finger: int) -> None:
+    """A ball joint with no axis through its centre is a point of the geometry too.
+
+    Locking the yaw of a finger leaves what meets or is parallel to its other two axes,
+    which are parallel, and passes through the tip.
+    """
+    added = {
+        w.joint: w.screw
+        for w in sk.screws(sk.load("hand_three_hard")).actuation_wrenches
+    }
+    screw = added[f"yaw{finger}"]
+    assert screw is not None
+    assert screw.description == (
+        f"force through the centre of tip{finger}, parallel to axis pitch{finger}"
+    )
+
+
+def test_axes_of_forces_are_joined_as_axes() -> None:
+    translation = sk.screws(sk.load("2upr_rpu")).platform.twists[0]
+    assert translation.description == "translation normal to axes U11:1 and U33:0"
 
 
 def test_proportional_columns_differ_by_a_factor() -> None:
