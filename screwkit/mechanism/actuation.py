@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from screwkit.algebra.expression import ZERO, Expression
+from screwkit.algebra.expression import Expression
 from screwkit.algebra.names import shown
 from screwkit.mechanism.joints import CATALOGUE, is_actuable
 from screwkit.mechanism.model import Joint, freedom_label
@@ -136,7 +136,10 @@ def _resolved(
 def read_weights(
     draft: Draft, order: tuple[str, ...], reading: Reading
 ) -> dict[str, tuple[tuple[Expression, ...], ...]]:
-    """The weights as full matrices; their sizes fit what they weigh."""
+    """The weights as full matrices; their sizes fit what they weigh.
+
+    One with an entry that cannot be read is left out: that is all its fault.
+    """
     if draft.entry.weights is None:
         return {}
     space = 3 if draft.entry.space == "planar" else 6
@@ -157,10 +160,13 @@ def read_weights(
         if size != expected and "joints" not in draft.broken and not draft.lost_joints:
             reading.fault(path, f"{expected} entries are expected, not {size}")
             continue
-        found[key] = tuple(
-            tuple(_entry(written, row, column, path, reading) for column in range(size))
+        rows = [
+            [_entry(written, row, column, path, reading) for column in range(size)]
             for row in range(size)
-        )
+        ]
+        matrix = tuple(tuple(x for x in row if x is not None) for row in rows)
+        if all(len(row) == size for row in matrix):
+            found[key] = matrix
     return found
 
 
@@ -170,7 +176,7 @@ def _entry(
     column: int,
     path: Path,
     reading: Reading,
-) -> Expression:
+) -> Expression | None:
     line = written[row]
     if isinstance(line, str):
         inner: Path = (*path, row)
@@ -178,5 +184,4 @@ def _entry(
     else:
         inner = (*path, row, column)
         text = line[column]
-    read = reading.scalar(inner, text)
-    return ZERO if read is None else read
+    return reading.scalar(inner, text)

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import screwkit as sk
+from screwkit import cli
 from screwkit.errors import MechanismFileError, ScrewkitError, UndecidedError
 from screwkit.results.manipulability import Manipulability
 
@@ -48,6 +49,7 @@ WEIGHT = "weights: {{rates: {rows}}}\n"
         ("[[0, 0], [0, 1]]", "entry 1 of a weight must be positive"),
         ("[[1, 0, 0], [0, 1, 0], [0, 0, 1]]", "2"),
         ("[[1, 0], [0]]", "row"),
+        ("[w, 1]", "unknown name 'w'"),
     ],
 )
 def test_weights_that_are_none(tmp_path: Path, rows: str, said: str) -> None:
@@ -119,3 +121,73 @@ def test_symbols_without_numbers_are_asked_for(tmp_path: Path) -> None:
     )
     with pytest.raises(UndecidedError, match="w"):
         measured(tmp_path, loose)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "said"),
+    [
+        ("[A, B]", "[A, B]\nweights: {twist: [1, -1, 1]}", 14, "must be positive"),
+        ("[A, B]", "[A, B]\nweights: {contact_forces: [1]}", 14, "6 entries"),
+        ("[A, B]", "[A, B]\nweights: {tourques: [1]}", 14, "did you mean 'torques'"),
+        ("[A, B]", "[A, cb]", 13, "cannot be actuated"),
+        (", normal: [1, 0]", "", 12, "needs it"),
+        ("type: hard_finger", "type: hardfinger", 11, "did you mean 'hard_finger'"),
+        ("type: hard_finger", "type: soft_finger", 11, "does not exist in a planar"),
+        ("point: [1, 1], ", "", 12, "'point' is missing"),
+    ],
+)
+def test_the_program_says_where(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    old: str,
+    new: str,
+    line: int,
+    said: str,
+) -> None:
+    """Exit code 3, nothing on standard output, one fault with its line and column."""
+    path = tmp_path / "fingers.yaml"
+    path.write_text(FILE.replace(old, new, 1), encoding="utf-8")
+    with pytest.raises(SystemExit) as stop:
+        cli.main(["manipulability", str(path), "--quiet"])
+    out, err = capsys.readouterr()
+    assert stop.value.code == 3
+    assert out == ""
+    first, *rest = err.splitlines()
+    assert f"{path.name}:{line}:" in first
+    assert said in first
+    assert rest == ["1 error; nothing was computed"]
+
+
+def test_a_singular_posture_exits_as_done(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The left finger points at its contact: along itself it moves nothing."""
+    path = tmp_path / "fingers.yaml"
+    path.write_text(FILE.replace("[-2, 0]", "[-3, 1]"), encoding="utf-8")
+    with pytest.raises(SystemExit) as stop:
+        cli.main(["manipulability", str(path), "--quiet"])
+    out, _ = capsys.readouterr()
+    assert stop.value.code == 0
+    assert "WHO MOVES WITH WHOM" in out
+
+
+def test_a_posture_that_is_not_reached_is_undecided(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Bars of √5 each: beyond a right angle at A they do not span from B to D."""
+    path = tmp_path / "bars.yaml"
+    path.write_text(
+        "screwkit: 1\nname: bars\nspace: planar\ngeometry: reference\nbase: g\n"
+        "platform: c\nlinks: [g, a, c, b]\njoints:\n"
+        "  - {name: A, type: revolute, parent: g, child: a, point: [0, 0]}\n"
+        "  - {name: B, type: revolute, parent: a, child: c, point: [2, 0]}\n"
+        "  - {name: C, type: revolute, parent: c, child: b, point: [3, 2]}\n"
+        "  - {name: D, type: revolute, parent: b, child: g, point: [4, 0]}\n"
+        "actuated: [A]\n",
+        encoding="utf-8",
+    )
+    with pytest.raises(SystemExit) as stop:
+        cli.main(["manipulability", str(path), "--quiet", "--at", "qA=5/2"])
+    out, err = capsys.readouterr()
+    assert stop.value.code == 1
+    assert "qA" in out + err
