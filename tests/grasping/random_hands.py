@@ -35,6 +35,7 @@ from screwkit.mechanism.model import Joint, JointType, Mechanism, Space
 
 Array = NDArray[np.float64]
 J = JointType
+SPACES: list[Space] = ["planar", "spatial"]
 CONTACTS: Mapping[Space, tuple[JointType, ...]] = {
     "spatial": (
         J.POINT,
@@ -192,6 +193,18 @@ def _object_twist(number: int, centre: Vec) -> Six:
 
 def _power(wrench: Six, twist: Six) -> Fraction:
     return dot(wrench[:3], twist[3:]) + dot(wrench[3:], twist[:3])
+
+
+def spd(source: random.Random, size: int) -> list[list[Fraction]]:
+    """A Aᵀ + 1 of small integers."""
+    root = [[source.randint(-1, 1) for _ in range(size)] for _ in range(size)]
+    return [
+        [
+            Fraction(sum(x * y for x, y in zip(a, b, strict=True)) + (a is b))
+            for b in root
+        ]
+        for a in root
+    ]
 
 
 def weighted(mechanism: Mechanism, **weights: list[list[Fraction]]) -> Mechanism:

@@ -16,7 +16,7 @@ import pytest
 import sympy
 from flint import fmpq, fmpq_mat
 from grasping.random_grasps import Drawn
-from grasping.random_hands import Array, Hand, hand, weighted
+from grasping.random_hands import SPACES, Array, Hand, hand, spd, weighted
 from grasping.test_partition import null_space, rational_dimensions
 from scipy.linalg import eigh
 
@@ -27,7 +27,6 @@ from screwkit.mechanism.model import Space
 from screwkit.results.manipulability import Manipulability
 
 SEEDS = range(40)
-SPACES: list[Space] = ["planar", "spatial"]
 EVERY = [(seed, space) for space in SPACES for seed in SEEDS]
 Rows = list[list[object]]
 
@@ -145,18 +144,6 @@ def values(above: Array, below: Array) -> Array:
     if not len(above):
         return np.zeros(0)
     return np.asarray(eigh(above, below, eigvals_only=True)[::-1])
-
-
-def spd(source: random.Random, size: int) -> list[list[Fraction]]:
-    """A Aᵀ + 1 of small integers."""
-    root = [[source.randint(-1, 1) for _ in range(size)] for _ in range(size)]
-    return [
-        [
-            Fraction(sum(x * y for x, y in zip(a, b, strict=True)) + (a is b))
-            for b in root
-        ]
-        for a in root
-    ]
 
 
 def numeric(weight: list[list[Fraction]]) -> Array:

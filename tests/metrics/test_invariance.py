@@ -13,7 +13,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from grasping.random_hands import Hand, hand, weighted
+from grasping.random_hands import SPACES, Hand, hand, weighted
 from kinematics.random_mechanisms import (
     UNITS,
     Similarity,
@@ -30,7 +30,6 @@ from screwkit.kinematics.network import Network
 from screwkit.mechanism.model import Mechanism, Space
 from screwkit.results.manipulability import IndexValues, Manipulability
 
-SPACES: list[Space] = ["planar", "spatial"]
 EVERY = [(seed, space) for space in SPACES for seed in range(100, 118)]
 INDICES = ("kinematic", "force", "active_force", "passive_force", "internal_force")
 
