@@ -20,7 +20,7 @@ from typing import TypeAlias
 from screwkit.algebra.elimination_modulo import eliminated
 from screwkit.algebra.modular import annihilator
 from screwkit.finite.chain_graph import ChainGraph, independent_cycles
-from screwkit.finite.lie_closure import bracket
+from screwkit.finite.lie_closure import Span, bracket
 from screwkit.finite.loop_series import curve
 
 Form: TypeAlias = tuple[tuple[int, ...], ...]
@@ -71,7 +71,7 @@ def fails_at_once(graph: ChainGraph) -> bool:
 
 
 def second_order_forms(graph: ChainGraph) -> tuple[Form, ...]:
-    """One quadratic form for every independent self-stress of a block."""
+    """The independent quadratic forms among those of the self-stresses of a block."""
     prime, rates = graph.prime, graph.rates
     count = len(graph.fundamental_cycles)
     cycles = independent_cycles(graph, graph.fundamental_cycles, count)
@@ -84,7 +84,7 @@ def second_order_forms(graph: ChainGraph) -> tuple[Form, ...]:
             for cycle in cycles
             for x in _curvature(graph.word(cycle), rates[i], rates[j], prime)
         ]
-    forms = []
+    forms, span = [], Span(prime)
     for stress in annihilator(columns, len(rows), prime):
         values = {
             pair: sum(x * y for x, y in zip(stress, vector, strict=True)) % prime
@@ -94,7 +94,7 @@ def second_order_forms(graph: ChainGraph) -> tuple[Form, ...]:
             tuple(values[min(i, j), max(i, j)] for j in range(len(rates)))
             for i in range(len(rates))
         )
-        if any(any(row) for row in form):
+        if span.add([x for row in form for x in row]):
             forms.append(form)
     return tuple(forms)
 

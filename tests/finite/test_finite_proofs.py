@@ -18,7 +18,9 @@ from finite.linkages import (
     universal,
 )
 
+from screwkit.finite.chain_graph import chain_graph
 from screwkit.finite.finite_proofs import proved_mobility, upper_bound
+from screwkit.finite.higher_order import second_order_forms
 from screwkit.finite.idle_freedoms import idle_freedoms
 from screwkit.kinematics.network import Network, motion
 
@@ -231,6 +233,20 @@ def test_branches_cross_where_four_bars_lie_in_a_line(
     bound = upper_bound(flat, flat.motion)
     assert bound is not None
     assert bound.mobility == 1
+
+
+@pytest.mark.parametrize("corners", [(0, 1, 5, 3), (0, 1, 4, 3)])
+def test_branches_cross_whatever_plane_the_four_bars_lie_in(
+    corners: tuple[int, ...],
+) -> None:
+    """In a skew plane several self-stresses ask for one and the same condition."""
+    along, normal = (2, 3, 6), (3, -6, 2)
+    places = [(tuple(x * u + 5 for u in along), normal) for x in corners]
+    flat = ring(places)
+    assert flat.motion.mobility == 2
+    assert proved(flat) == (1,)
+    (form,) = second_order_forms(chain_graph(flat.motion))
+    assert len(form) == 2
 
 
 @pytest.mark.parametrize("lengths", [(1, 1, 1), (1, 1, 2), (1, 2, 3), (2, 2, 2)])
