@@ -12,13 +12,19 @@ from screwkit.questions import relative_motion
 from screwkit.reports.article import article
 from screwkit.reports.latex import render as article_text
 from screwkit.reports.verdict import in_linear_order
-from screwkit.results.screws import IdentifiedScrew, Screws
+from screwkit.results.screws import (
+    IdentifiedScrew,
+    LimbScrews,
+    PlatformScrews,
+    Screws,
+)
 
 
 def every(answer: Screws) -> list[tuple[IdentifiedScrew, bool]]:
     """All screws, with whether they are wrenches."""
-    found = []
-    for system in (*answer.limbs, answer.platform):
+    found: list[tuple[IdentifiedScrew, bool]] = []
+    systems: list[LimbScrews | PlatformScrews] = [*answer.limbs, answer.platform]
+    for system in systems:
         found += [(twist, False) for twist in system.twists]
         found += [(wrench, True) for wrench in system.wrenches]
     added = (w.screw for w in answer.actuation_wrenches)
