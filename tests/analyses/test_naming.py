@@ -92,10 +92,10 @@ def test_loops_inside_limbs() -> None:
     found = of(two_parallelogram_limbs())
     inside = [one for one in found.redundancies if len(one.carried) == 1]
     assert len(inside) == 6
-    assert all("inside limb_" in one.description for one in inside)
+    assert all("inside limb " in one.description for one in inside)
     (between,) = [one for one in found.redundancies if one not in inside]
     assert between.description == (
-        "limb_1 and limb_2 both carry a couple about [0, 0, 1]"
+        "limb 1 and limb 2 both carry a couple about [0, 0, 1]"
     )
 
 
@@ -103,7 +103,7 @@ def test_more_limbs_than_two() -> None:
     found = answer(replace(three_bars().mechanism, space="planar"))
     (one,) = found.redundancies
     assert one.description == (
-        "the forces of limb_1, limb_2 and limb_3 along [1, 2, 0] depend on each other"
+        "the forces of limb 1, limb 2 and limb 3 along [1, 2, 0] depend on each other"
     )
     # Bars at 0, 3 and 7: the middle one takes 7 against 4 and 3, by moments.
     written = [carrier.coordinates for carrier in one.carried]

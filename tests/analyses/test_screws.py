@@ -416,7 +416,14 @@ def test_three_skew_forces_leave_rotations_about_lines_that_meet_them(
 ) -> None:
     twists = answers["three_arms"].platform.twists
     assert [twist.kind for twist in twists] == ["rotation"] * 3
-    assert all("meeting the constraint force of limb" in t.description for t in twists)
+    # Every limb's force is along its third axis; the lines meet all three of them.
+    names = "ABC"
+    assert {t.description for t in twists} == {
+        f"rotation about the line through the common point of axes {x}1, {x}2 and {x}3 "
+        f"meeting axes {y}3 and {z}3"
+        for x in names
+        for y, z in [[n for n in names if n != x]]
+    }
 
 
 # -- single limbs --------------------------------------------------------------------

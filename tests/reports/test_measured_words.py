@@ -98,7 +98,7 @@ def test_the_answer_of_the_five_bar_in_words() -> None:
     text = render(answer_blocks(measured("five_bar_15")))
     for said in (
         "mobility 2, connectivity 2, redundancy 0, indeterminacy 0",
-        "actuated 1 5, passive 2 3 4",
+        "actuated: 1, 5; passive: 2, 3, 4",
         "exactly: x² − 41 x/4 + 5 = 0",
         "balanced without torque: (0, 2; −1)",
         "and 1 infinite for structural wrenches",
