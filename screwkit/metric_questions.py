@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Literal
 
 from screwkit.algebra.expression import Expression
 from screwkit.case import Case
-from screwkit.errors import ScrewkitError, UndecidedError
+from screwkit.errors import ExpressionError, ScrewkitError, UndecidedError
 from screwkit.progress import Progress, silent
 from screwkit.reports import showing  # noqa: F401 -- answers show themselves
 from screwkit.results.manipulability import Manipulability
@@ -37,7 +37,7 @@ def manipulability(
 
     Raises:
         UndecidedError: If a symbol has no value, or the posture is not reached.
-        ExpressionError: If the length is no constant expression.
+        ExpressionError: If the length is no positive constant.
         MechanismFileError: If no limb holds the platform.
     """
     from screwkit.analyses import manipulability as analysis  # noqa: PLC0415
@@ -92,9 +92,23 @@ def _need_held(case: Case) -> None:
 
 
 def _measure(length: str) -> Expression | None:
+    """The length that counts as one radian; None where none is given.
+
+    Raises:
+        ExpressionError: If it is no positive constant.
+    """
+    from screwkit.algebra.batch import BatchRing  # noqa: PLC0415
+    from screwkit.algebra.evaluation import evaluate  # noqa: PLC0415
     from screwkit.algebra.parse import parse  # noqa: PLC0415
 
-    return parse(str(length), ()) if length else None
+    if not length:
+        return None
+    measure = parse(str(length), ())
+    if not float(evaluate(measure, BatchRing({}))) > 0:
+        raise ExpressionError(
+            f"a length that counts as one radian is positive, and {length} is not"
+        )
+    return measure
 
 
 def sweep(

@@ -158,3 +158,37 @@ def test_wrong_names_and_numbers_are_refused() -> None:
         sk.reach(case, (1, 1, 1, 1))
     with pytest.raises(ExpressionError, match="unknown name 'w'"):
         sk.reach(case, (1, 1), {"a3": "w"})
+
+
+@pytest.mark.parametrize(
+    ("point", "turned", "said"),
+    [
+        ((float("nan"), 1), {}, "nan is no finite number"),
+        ((float("inf"), 1), {}, "inf is no finite number"),
+        ((1,), {}, "has 2 coordinates, not 1"),
+        (("1/0", 1), {}, "division by zero"),
+        ((1, 1), {"a3": (1, 2, 3)}, "turned by an angle, not by 3 numbers"),
+        ((1, 1), {"a3": float("nan")}, "nan is no finite number"),
+    ],
+)
+def test_what_is_no_place_is_refused(
+    point: tuple[float | str, ...],
+    turned: dict[str, float | tuple[float, ...]],
+    said: str,
+) -> None:
+    with pytest.raises(ExpressionError, match=said):
+        sk.reach(sk.load("dual_planar_3r"), point, turned)
+
+
+def test_the_base_turns_nowhere() -> None:
+    with pytest.raises(UnknownNameError, match="no movable link 'ground'"):
+        sk.reach(sk.load("dual_planar_3r"), (1, 1), {"ground": 1})
+
+
+@pytest.mark.parametrize("length", ["0", "-2", "1 - 1", "-sqrt(2)"])
+def test_a_length_is_positive(length: str) -> None:
+    case = sk.load("dual_planar_3r")
+    with pytest.raises(ExpressionError, match="one radian is positive"):
+        sk.manipulability(case, length=length)
+    with pytest.raises(ExpressionError, match="one radian is positive"):
+        sk.reach(case, (1.1, 1.3), length=length)
