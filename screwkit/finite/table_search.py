@@ -8,6 +8,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from screwkit.errors import UndecidedError
+from screwkit.finite.exponentials import stance_of
+from screwkit.finite.local_dimension import (
+    EXACT_CUT,
+    Kernel,
+    is_regular,
+    unclear_rank,
+)
+from screwkit.finite.loop_split import split_at
+from screwkit.finite.posture_model import posture_model, scaled
+from screwkit.finite.spanning_forest import forest_of
 from screwkit.finite.table_closure import OPEN, close_table, table_misses
 from screwkit.kinematics.loops import ring_at
 from screwkit.mechanism.model import Mechanism
@@ -44,6 +54,9 @@ class TableClosure:
 def closed_posture(mechanism: Mechanism) -> TableClosure:
     """The posture at 0 if it is closed, else a closed one if any is found.
 
+    Of those found the first that is regular is taken: closed postures around it fill
+    all dimensions of its rates, so that ranks there are those of its motion.
+
     Args:
         mechanism: An ``mdh`` mechanism whose symbols all have values.
 
@@ -52,19 +65,34 @@ def closed_posture(mechanism: Mechanism) -> TableClosure:
     """
     names = mechanism.joint_variables
     best = _at(mechanism, dict.fromkeys(names, 0.0))
+    if best.closed:
+        return best
     random = np.random.default_rng(0)
     for number in range(STARTS + 1):
-        if best.closed:
-            break
         start = np.zeros(len(names))
         if number:
             start = random.uniform(-np.pi, np.pi, len(names))
         guess = dict(zip(names, map(float, start), strict=True))
         try:
-            return _at(mechanism, close_table(mechanism, guess))
+            found = _at(mechanism, close_table(mechanism, guess))
+            if _is_regular(mechanism, found):
+                return found
         except (UndecidedError, np.linalg.LinAlgError):
-            best = min(best, _at(mechanism, guess), key=lambda found: found.miss)
+            found = _at(mechanism, guess)
+        if not best.closed:
+            best = min(best, found, key=lambda closure: closure.miss)
     return best
+
+
+def _is_regular(mechanism: Mechanism, found: TableClosure) -> bool:
+    model = scaled(posture_model(mechanism, found.values))
+    forest = forest_of(model)
+    stance = stance_of(model, forest)
+    split, values = split_at(forest, stance, cut=float(np.sqrt(np.prod(EXACT_CUT))))
+    if unclear_rank(values[0]):
+        return False
+    kernel = Kernel(split, split.right[0, :, split.rank :])
+    return is_regular(forest, stance, kernel, np.random.default_rng(0))
 
 
 def _at(mechanism: Mechanism, values: Mapping[str, float]) -> TableClosure:
