@@ -20,6 +20,7 @@ from screwkit.finite.idle_freedoms import idle_freedoms
 from screwkit.finite.order_proofs import (
     IDENTICAL,
     Proved,
+    of_a_part,
     proved_by_order,
     second_order_bound,
     smooth,
@@ -90,9 +91,11 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
             return None
         dimension += proof.mobility
         reasons[proof.reason] = reasons.get(proof.reason, 0) + 1
+    partial = len(blocks) > 1 or free > 0 or bool(idle)
+    arguments = {of_a_part(r) if partial else r: n for r, n in reasons.items()}
     told = "; ".join(
         f"{reason} ({count} times)" if count > 1 else reason
-        for reason, count in reasons.items()
+        for reason, count in arguments.items()
     )
     if len(blocks) > 1:
         told = f"the loops fall into {len(blocks)} parts that share no joint: {told}"

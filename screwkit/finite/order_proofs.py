@@ -50,9 +50,19 @@ class Proved:
     reason: str
 
 
+_ALL = "so all postures around it form a smooth family"
+_ISOLATED = "the posture is isolated, the structure shaky"
+
+
 def smooth(mobility: int) -> str:
     """How sentences end that prove a manifold."""
-    return f"so all postures around it form a smooth family of dimension {mobility}"
+    return f"{_ALL} of dimension {mobility}"
+
+
+def of_a_part(reason: str) -> str:
+    """The argument where it is about a part of a mechanism that moves otherwise too."""
+    found = reason.replace(_ALL, "so that its own postures form a smooth family")
+    return found.replace(_ISOLATED, "this part is shaky and rests")
 
 
 def proved_by_order(
@@ -81,7 +91,7 @@ def proved_by_order(
         return Proved(
             0,
             f"the one motion that first order allows opens a loop at order "
-            f"{followed.fails_at}: the posture is isolated, the structure shaky",
+            f"{followed.fails_at}: {_ISOLATED}",
         )
     if block.mobility > LARGEST_FORM:
         return None
@@ -144,10 +154,7 @@ def _of_real_forms(block: ChainGraph, real: Sequence[Matrix]) -> Proved | None:
     )
 
 
-_SHAKY = (
-    "no joint rates keep the loops closed to second order: the posture is isolated, "
-    "the structure shaky"
-)
+_SHAKY = f"no joint rates keep the loops closed to second order: {_ISOLATED}"
 
 
 def second_order_bound(block: ChainGraph) -> int:
