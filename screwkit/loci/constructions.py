@@ -123,6 +123,15 @@ def transversal(point: PlaceOf, i: str, j: str) -> PlaceOf:
     return direction
 
 
+def meeting_across(point: PlaceOf, i: str, j: str) -> PlaceOf:
+    """Direction of the line through a point that meets one axis, normal to another."""
+
+    def direction(g: Geometry[S]) -> Vector[S]:
+        return g.normal(cross(g.moment_about(i, point(g)), g.direction(j)))
+
+    return direction
+
+
 def free(direction: PlaceOf) -> ScrewOf:
     """A couple or translation."""
 

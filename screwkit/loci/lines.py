@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
+from itertools import combinations, product
 from typing import Any, TypeAlias
 
 from screwkit.loci.constructions import (
@@ -26,6 +26,7 @@ from screwkit.loci.constructions import (
     free,
     intersection,
     line,
+    meeting_across,
     normal_to,
     on_axis,
     rejected,
@@ -167,6 +168,7 @@ class Catalogue:
                 (3, self._common_normals()),
                 (4, self._in_planes()),
                 (3, self._meeting()),
+                (3, self._meeting_across()),
                 (4, self._across_planes()),
                 (2, self._through_axes((*self._along_axes(), *self._along_units()))),
                 (3, self._through_axes(self._across_axes())),
@@ -242,6 +244,19 @@ class Catalogue:
                     line(at_point(p), transversal(at_point(p), i, j)),
                     at_point(p),
                 )
+
+    def _meeting_across(self) -> Iterator[Candidate]:
+        for p, point in enumerate(self.features.points):
+            others = [name for name in self._crossed if name not in point.joints]
+            for i, j in product(others, self._combined):
+                if i != j:
+                    words = f"meeting {self._called(i)}, normal to {self._called(j)}"
+                    yield Candidate(
+                        f"the line through {point.name} {words}",
+                        f"through {point.name}, {words}",
+                        line(at_point(p), meeting_across(at_point(p), i, j)),
+                        at_point(p),
+                    )
 
     def _across_planes(self) -> Iterator[Candidate]:
         for plane in self._planes():
