@@ -12,12 +12,7 @@ from screwkit.questions import relative_motion
 from screwkit.reports.article import article
 from screwkit.reports.latex import render as article_text
 from screwkit.reports.verdict import in_linear_order
-from screwkit.results.screws import (
-    IdentifiedScrew,
-    LimbScrews,
-    PlatformScrews,
-    Screws,
-)
+from screwkit.results.screws import IdentifiedScrew, LimbScrews, PlatformScrews, Screws
 
 
 def every(answer: Screws) -> list[tuple[IdentifiedScrew, bool]]:
