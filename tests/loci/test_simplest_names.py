@@ -69,3 +69,17 @@ def test_proportional_columns_differ_by_a_factor() -> None:
     scaled = [ring.normal(factor * value) for value in one]
     assert proportional(ring, one, scaled)
     assert not proportional(ring, one, other)
+
+
+def test_a_force_that_meets_one_axis_and_is_normal_to_another_is_named() -> None:
+    """Locking joint 2 of the SCARA arm leaves axis 1, the tip and the slide."""
+    added = {
+        w.joint: w.screw
+        for w in sk.screws(sk.load("scara_pair_hard")).actuation_wrenches
+    }
+    screw = added["2"]
+    assert screw is not None
+    assert screw.description == (
+        "force through the centre of c1, meeting axis 1, normal to axis 2"
+    )
+    assert screw.coordinates[2] == "0"  # normal to the vertical axes
