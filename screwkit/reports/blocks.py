@@ -231,31 +231,34 @@ def words(text: str) -> Text:
 def prose(text: str) -> Text:
     """A sentence of an answer as a `Text`; nothing for the empty string.
 
-    Coordinates in square brackets are set as mathematics.
+    Coordinates in square brackets and pitches are set as mathematics.
 
     >>> prose("along [0, sqrt(3)/2]")[1:3]
     (Words(text='['), Math(text='0', terms=0))
     """
     spans: list[Span] = []
-    for part in _BRACKETS.split(text):
-        spans += _coordinates(part) or ((Prose(part),) if part else ())
+    for part in _WRITTEN.split(text):
+        spans += _as_mathematics(part) or ((Prose(part),) if part else ())
     return tuple(spans)
 
 
-_BRACKETS = re.compile(r"(\[[^\[\]]*\])")
+_WRITTEN = re.compile(r"(\[[^\[\]]*\]|(?<=\bpitch )-?(?:\d|sqrt)[^\s,;]*)")
 _SHORT = 40
 
 
-def _coordinates(part: str) -> Text:
-    """``[x, y, z]`` as spans; nothing where that is no vector of expressions."""
-    if not part.startswith("["):
+def _as_mathematics(part: str) -> Text:
+    """``[x, y, z]`` or a number as spans; nothing where it is neither."""
+    vector = part.startswith("[")
+    if not vector and not _WRITTEN.fullmatch(f"pitch {part}", len("pitch ")):
         return ()
-    entries = part[1:-1].split(", ")
+    entries = part[1:-1].split(", ") if vector else [part]
     try:
         for entry in entries:
             parse(entry, limits=RESULT_LIMITS)
     except ExpressionError:
         return ()
+    if not vector:
+        return (Math(part),)
     space = "\u00a0" if len(part) < _SHORT else " "
     spans: list[Span] = [Words("[")]
     for entry in entries:

@@ -77,6 +77,13 @@ def test_brackets_that_hold_no_vector_stay_as_they_are() -> None:
     assert prose("see [1, (5") == (Prose("see [1, (5"),)
 
 
+def test_pitches_are_numbers_like_coordinates() -> None:
+    assert prose("a wrench of pitch -2 carried")[1] == Math("-2")
+    assert prose("of pitch sqrt(3)/2")[1] == Math("sqrt(3)/2")
+    assert prose("of equal pitch of all") == (Prose("of equal pitch of all"),)
+    assert prose("-2 is left") == (Prose("-2 is left"),)
+
+
 def test_coordinates_are_not_parted_by_the_end_of_a_line() -> None:
     words = "the platform of the mechanism rotates about the line through "
     for pad in range(20):
