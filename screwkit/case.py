@@ -7,7 +7,7 @@ computed once.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -20,7 +20,7 @@ from screwkit.errors import (
     UnknownCaseError,
     UnknownNameError,
 )
-from screwkit.mechanism.files import place_of, read_mechanism
+from screwkit.mechanism.files import mechanism_from_text, place_of, read_mechanism
 from screwkit.mechanism.graph import actuable_freedoms
 from screwkit.mechanism.model import (
     Claim,
@@ -39,6 +39,16 @@ if TYPE_CHECKING:
     from screwkit.kinematics.network import Network
 
 
+@dataclass(frozen=True)
+class Given:
+    """What was asked of a file when it was loaded; see `load`."""
+
+    set_values: Mapping[str, object] = field(default_factory=dict)
+    at: Mapping[str, object] = field(default_factory=dict)
+    variant: str | None = None
+    actuated: Sequence[str] | None = None
+
+
 class Case:
     """A mechanism file, loaded.
 
@@ -47,6 +57,7 @@ class Case:
         wanted: Values of joint variables that loops tie together; the mechanism has
             still to be moved there.
         path: Of its file; None where it has none.
+        given: What was asked of the file.
     """
 
     def __init__(
@@ -54,8 +65,10 @@ class Case:
         mechanism: Mechanism,
         wanted: Mapping[str, Expression] | None = None,
         path: Path | None = None,
+        given: Given | None = None,
     ) -> None:
         self.mechanism = mechanism
+        self.given = given or Given()
         self.wanted = dict(wanted or {})
         self.path = path
 
@@ -165,8 +178,6 @@ def load(
         ExpressionError: If a value is no constant expression.
         UnfitValueError: If a value contradicts what the file demands of its symbols.
     """
-    from screwkit.kinematics.given_values import placed_at, with_numbers  # noqa: PLC0415
-
     path, referred = found(source)
     if variant is not None and referred is not None:
         raise UnknownNameError(
@@ -176,17 +187,43 @@ def load(
     replaced = frozenset({*(set_values or ()), *(at or ())})
     mechanism = read_mechanism(path, Outside(replaced, _why_no_place))
     chosen = variant if variant is not None else referred
-    if chosen is not None:
+    given = Given(set_values or {}, at or {}, chosen, actuated)
+    return _asked(mechanism, given, path)
+
+
+def load_text(
+    text: str,
+    json: bool = False,
+    set_values: Mapping[str, object] | None = None,
+    actuated: Sequence[str] | None = None,
+    variant: str | None = None,
+    at: Mapping[str, object] | None = None,
+) -> Case:
+    """The case of a mechanism file's text; arguments and errors as of `load`."""
+    replaced = frozenset({*(set_values or ()), *(at or ())})
+    mechanism = mechanism_from_text(
+        text, "the text", json, Outside(replaced, _why_no_place)
+    )
+    given = Given(set_values or {}, at or {}, variant, actuated)
+    return _asked(mechanism, given, None)
+
+
+def _asked(mechanism: Mechanism, given: Given, path: Path | None) -> Case:
+    """The case of a mechanism with everything that was asked of its file."""
+    from screwkit.kinematics.given_values import placed_at, with_numbers  # noqa: PLC0415
+
+    if given.variant is not None:
+        chosen = given.variant
         mechanism = at_variant(mechanism, _variant(mechanism, chosen))
-    if set_values:
-        mechanism = with_numbers(mechanism, set_values)
-    if actuated is not None:
-        mechanism = _with_actuated(mechanism, actuated)
+    if given.set_values:
+        mechanism = with_numbers(mechanism, given.set_values)
+    if given.actuated is not None:
+        mechanism = _with_actuated(mechanism, given.actuated)
     _refuse_open_table(mechanism, path)
     wanted: dict[str, Expression] = {}
-    if at:
-        mechanism, wanted = placed_at(mechanism, at)
-    return Case(mechanism, wanted, path)
+    if given.at:
+        mechanism, wanted = placed_at(mechanism, given.at)
+    return Case(mechanism, wanted, path, given)
 
 
 def _why_no_place(question: str) -> str:
@@ -317,7 +354,7 @@ def _driven(joint: Joint, actuated: frozenset[str]) -> Joint:
     return replace(joint, actuated=driven)
 
 
-def _refuse_open_table(mechanism: Mechanism, path: Path) -> None:
+def _refuse_open_table(mechanism: Mechanism, path: Path | None) -> None:
     """A table that places a body twice must have a closed posture.
 
     Raises:
@@ -340,7 +377,9 @@ def _refuse_open_table(mechanism: Mechanism, path: Path) -> None:
     if found.closed:
         return
     names = [joint.name for joint in mechanism.joints]
-    place = place_of(path, ("joints", names.index(found.joint)))
+    place = (0, 0)
+    if path is not None:
+        place = place_of(path, ("joints", names.index(found.joint)))
     twice = mechanism.joint(found.joint).child
     message = (
         f"the posture does not close: joint {found.joint!r} places {twice!r}, which "
@@ -348,4 +387,5 @@ def _refuse_open_table(mechanism: Mechanism, path: Path) -> None:
         f"that bring the two together (at best they miss by {found.miss:.2g}); check "
         f"the lengths, or attach it by a fixed joint without a row"
     )
-    raise MechanismFileError(str(path), (Fault(*place, message),))
+    source = mechanism.name if path is None else str(path)
+    raise MechanismFileError(source, (Fault(*place, message),))

@@ -19,6 +19,7 @@ from screwkit.options import (
     Body,
     Candidates,
     CaseName,
+    CertificateFile,
     Draw,
     Every,
     Format,
@@ -165,6 +166,7 @@ def singularities(
     case: CaseName,
     *,
     every: Every = False,
+    certificate: CertificateFile = None,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -178,7 +180,14 @@ def singularities(
 
     Example: screwkit singularities nao_t14 --actuated 1,2,3,7
     """
-    request = request_of("singularities", locals())
+    wanted = None if certificate is None else True
+    request = request_of("singularities", locals(), certificate=wanted)
+    if certificate is not None:
+        from dataclasses import replace  # noqa: PLC0415
+
+        from screwkit.delivery import written_certificate  # noqa: PLC0415
+
+        request = replace(request, change=written_certificate(certificate))
     if every:
         from dataclasses import replace  # noqa: PLC0415
 
@@ -186,6 +195,39 @@ def singularities(
 
         request = replace(request, show=show_all)
     _answer(request)
+
+
+@app.command()
+def verify(
+    certificate: Annotated[
+        str, typer.Argument(metavar="CERTIFICATE", help="A certificate's file.")
+    ],
+    case: Annotated[
+        str | None,
+        typer.Argument(metavar="[CASE]", help="The mechanism it must be about."),
+    ] = None,
+    *,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Check a certificate again, from the mechanism alone.
+
+    Example: screwkit verify nao.json nao_t14
+    """
+    from dataclasses import replace  # noqa: PLC0415
+
+    given = dict.fromkeys(("variant", "set_values", "at", "actuated")) | {
+        "case": "",
+        "memory": memory,
+        "timeout": timeout,
+        "as_json": as_json,
+        "quiet": quiet,
+    }
+    request = request_of("verify", given, certificate=certificate, case=case)
+    job = replace(request.job, target="screwkit.verification:verify")
+    _answer(replace(request, job=job))
 
 
 @app.command()

@@ -32,6 +32,18 @@ def only_balanced(answer: Schemes) -> Schemes:
     return replace(answer, schemes=tuple(s for s in answer.schemes if s.balanced))
 
 
+def written_certificate(path: Path) -> Callable[[Singularities], Singularities]:
+    """Write the certificate of an answer; the answer then says where it is."""
+
+    def change(answer: Singularities) -> Singularities:
+        from screwkit.reports.output import write  # noqa: PLC0415
+
+        write(path, answer.certificate or "")
+        return replace(answer, certificate=str(path))
+
+    return change
+
+
 def show_all(answer: Schemes | Singularities) -> str:
     """The text with every scheme, or every condition."""
     from screwkit.reports.sections import answer_blocks  # noqa: PLC0415

@@ -72,6 +72,14 @@ At = Annotated[
     list[str] | None,
     typer.Option(metavar="NAME=VALUE", help="Posture: joint variables and symbols."),
 ]
+CertificateFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--certificate",
+        metavar="FILE",
+        help="Write proofs of the lists, for `screwkit verify`.",
+    ),
+]
 Body = Annotated[
     str | None,
     typer.Option(metavar="LINK", help="The twists of this body instead."),

@@ -141,6 +141,7 @@ def singularities(
     case: Case,
     progress: Progress = silent,
     finished: Callable[[str, Any], None] = lambda name, part: None,
+    certificate: bool = False,
 ) -> Singularities:
     """Limb, constraint and actuation singularities in closed form.
 
@@ -148,13 +149,19 @@ def singularities(
         case: The mechanism.
         progress: Told about each stage.
         finished: Given each part as soon as it is there, by name.
+        certificate: Look for proofs, too, and write them down.
     """
     from screwkit.analyses import singularities as analysis  # noqa: PLC0415
 
     case.need_held_platform()
     _need_exact_posture(case)
     answer = analysis.singularities(case.assembly, progress=progress, finished=finished)
-    return replace(answer, one_posture=not case.network.has_symbols)
+    answer = replace(answer, one_posture=not case.network.has_symbols)
+    if certificate:
+        from screwkit.verification import certificate_of  # noqa: PLC0415
+
+        answer = replace(answer, certificate=certificate_of(case, answer, progress))
+    return answer
 
 
 def schemes(

@@ -26,6 +26,7 @@ TARGETS: Final = {
     "manipulability": "screwkit.metric_questions:manipulability",
     "reach": "screwkit.metric_questions:reach",
     "sweep": "screwkit.metric_questions:sweep_answer",
+    "verify": "screwkit.verification:verify",
     "analyze": "screwkit.questions:analyze",
 }
 

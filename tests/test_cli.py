@@ -391,6 +391,28 @@ def test_partial_reports_are_4(engine: Answering, tmp_path: Path) -> None:
     assert "Undecided" in path.read_text(encoding="utf-8")
 
 
+def test_a_certificate_is_written_and_checked(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "proof.json"
+    words = ("singularities", "generic_6r", "--certificate", str(path), "--quiet")
+    assert screwkit(*words) == 0
+    capsys.readouterr()
+    assert screwkit("verify", str(path), "generic_6r") == 0
+    assert "accepted" in capsys.readouterr().out
+    assert screwkit("verify", str(path), "bennett") == 1
+    assert "another mechanism" in capsys.readouterr().out
+    document = json.loads(path.read_text(encoding="utf-8"))
+    document["parts"][0]["rank"] -= 1
+    path.write_text(json.dumps(document), encoding="utf-8")
+    assert screwkit("verify", str(path), "--json") == 1
+    answer = json.loads(capsys.readouterr().out)
+    assert answer["question"] == "verify"
+    assert answer["accepted"] is False
+    assert "rank" in answer["reason"]
+    assert screwkit("verify", str(tmp_path / "none.json")) == 2
+
+
 def test_help_is_quick_and_light() -> None:
     heavy = ("sympy", "flint", "networkx", "pydantic", "numpy", "scipy")
     program = (

@@ -53,6 +53,8 @@ class Branch:
         extra: Further equations that tell the branch from other zeros of its
             conditions.
         nonvanishing: Polynomials of the whole ring that are zero nowhere.
+        thorough: Look for points on conditions that share their unknowns, by
+            resultants; that may take long.
         dimensions: Indices of the symbols that are dimensions of the mechanism, not
             coordinates of its posture.
     """
@@ -65,6 +67,7 @@ class Branch:
     dimensions: tuple[int, ...] = ()
     extra: tuple[Polynomial, ...] = ()
     nonvanishing: tuple[Polynomial, ...] = ()
+    thorough: bool = False
 
     @property
     def codimension(self) -> int:
@@ -109,19 +112,25 @@ class Branch:
     def is_special(self) -> bool:
         """Whether the conditions tie the dimensions of the mechanism to each other.
 
-        They do not exactly where they are independent in the posture alone: at an
-        exact point the differentials by the posture have full rank.
+        They do where, at an exact point, their differentials have a lower rank by the
+        posture alone than by the dimensions too.
         """
         if not self.conditions or not self.points:
             return False
+        by_posture = self._independent(frozenset(self.dimensions))
+        if by_posture == len(self.conditions):
+            return False
+        return by_posture < self._independent(frozenset())
+
+    def _independent(self, fixed: frozenset[int]) -> int:
+        """How many conditions are independent to first order, some symbols fixed."""
         point, prime = self.points[0]
         rows = [
-            differential(self.ring, condition, point, prime, set(self.dimensions))
+            differential(self.ring, condition, point, prime, fixed)
             for condition in self.conditions
         ]
         entries = [value for row in rows for value in row]
-        rank = nmod_mat(len(rows), len(rows[0]), entries, prime).rank()
-        return int(rank) < len(self.conditions)
+        return int(nmod_mat(len(rows), len(rows[0]), entries, prime).rank())
 
     def column(self, entries: Sequence[Polynomial]) -> list[Polynomial]:
         """A vector on this branch, up to a common factor that is nowhere zero."""
@@ -156,7 +165,9 @@ class Branch:
             return None
         fixed: set[int] = set()
         values = [p.value for p in self.pending]
-        solved = moved_onto(self.ring, values, point, source, prime)
+        solved = moved_onto(
+            self.ring, values, point, source, prime, pairs=self.thorough
+        )
         if solved is None:
             return None
         point = solved

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
+from itertools import combinations
 from typing import Any
 
 from flint import nmod_poly
 
+from screwkit.algebra.common_root import common_root
 from screwkit.algebra.points import Point, random_angle, residue
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
@@ -22,8 +24,19 @@ def moved_onto(
     point: Point,
     source: random.Random,
     prime: int,
+    *,
+    pairs: bool = False,
 ) -> Point | None:
-    """Move the point onto all pending conditions, each along a generator of its own."""
+    """Move the point onto all pending conditions, each along a generator of its own.
+
+    Args:
+        ring: Of the conditions.
+        pending: The conditions.
+        point: Where to start.
+        source: Of randomness.
+        prime: Modulus of the point.
+        pairs: Move along two generators where two conditions share all of theirs.
+    """
     remaining = list(pending)
     while remaining:
         others = [set(unknowns(ring, p)) for p in remaining]
@@ -33,14 +46,120 @@ def moved_onto(
             if free:
                 break
         else:
-            return None
+            return (
+                _with_a_pair(ring, remaining, point, source, prime) if pairs else None
+            )
         condition = remaining.pop(position)
         # Solve the others first: they do not contain the variable kept for this one.
-        solved = moved_onto(ring, remaining, point, source, prime)
+        solved = moved_onto(ring, remaining, point, source, prime, pairs=pairs)
         if solved is None:
             return None
         return _onto(ring, condition, free, solved, prime, source=source)
     return point
+
+
+def _with_a_pair(
+    ring: TrigonometricRing,
+    remaining: Sequence[Polynomial],
+    point: Point,
+    source: random.Random,
+    prime: int,
+) -> Point | None:
+    """The point on conditions of which two share two unknowns that the others lack."""
+    others = [set(unknowns(ring, p)) for p in remaining]
+    for one, two in combinations(range(len(remaining)), 2):
+        rest = [i for i in range(len(remaining)) if i not in (one, two)]
+        used = set().union(*(others[i] for i in rest))
+        shared = sorted((others[one] & others[two]) - used)
+        if len(shared) < 2:
+            continue
+        kept = [remaining[i] for i in rest]
+        solved = moved_onto(ring, kept, point, source, prime, pairs=True)
+        if solved is None:
+            return None
+        pair = remaining[one], remaining[two]
+        for first, second in source.sample([*combinations(shared, 2)], 1):
+            found = _onto_both(
+                ring, pair, (first, second), solved, prime, source=source
+            )
+            if found is not None:
+                return found
+    return None
+
+
+def _onto_both(
+    ring: TrigonometricRing,
+    pair: tuple[Polynomial, Polynomial],
+    places: tuple[Unknown, Unknown],
+    point: Point,
+    prime: int,
+    *,
+    source: random.Random,
+) -> Point | None:
+    """The point moved along two unknowns to where two conditions vanish."""
+    first, second = places
+    sizes = [[degree_in(ring, p, u) for u in places] for p in pair]
+
+    def restricted(value: int) -> tuple[list[int], list[int]] | None:
+        moved = _set(ring, point, first, value, prime)
+        if moved is None:
+            return None
+        below = 1 if first[0] == "x" else (1 + value * value) % prime
+        # A tangent's divisor is taken out: the resultant becomes a polynomial in it.
+        one, two = (
+            [int(c) * pow(below, own[0] // 2, prime) for c in restriction.coeffs()]
+            for p, own in zip(pair, sizes, strict=True)
+            for restriction in [_in(ring, p, second, moved, prime)]
+        )
+        return one, two
+
+    degree = sizes[0][0] * sizes[1][1] + sizes[1][0] * sizes[0][1]
+    found = common_root(restricted, degree, source, prime)
+    if found is None:
+        return None
+    moved = _set(ring, point, first, found[0], prime)
+    return None if moved is None else _set(ring, moved, second, found[1], prime)
+
+
+def degree_in(ring: TrigonometricRing, polynomial: Polynomial, unknown: Unknown) -> int:
+    """In a symbol, or in the tangent of half an angle."""
+    kind, number = unknown
+    if kind == "x":
+        return int(polynomial.degrees()[number])
+    places = ring.sine_index(number), ring.cosine_index(number)
+    return 2 * max(sum(int(e[i]) for i in places) for e in polynomial.monoms())
+
+
+def _in(
+    ring: TrigonometricRing,
+    polynomial: Polynomial,
+    unknown: Unknown,
+    point: Point,
+    prime: int,
+) -> Any:
+    kind, number = unknown
+    if kind == "x":
+        return _in_symbol(polynomial, number, point, prime)
+    places = ring.sine_index(number), ring.cosine_index(number)
+    return _in_tangent(polynomial, *places, point, prime)
+
+
+def _set(
+    ring: TrigonometricRing, point: Point, unknown: Unknown, value: int, prime: int
+) -> Point | None:
+    """The point with another value of a symbol, or of the tangent of half an angle."""
+    kind, number = unknown
+    moved = list(point)
+    if kind == "x":
+        moved[number] = value
+        return moved
+    below = (1 + value * value) % prime
+    if not below:
+        return None
+    inverse = pow(below, -1, prime)
+    moved[ring.cosine_index(number)] = (1 - value * value) * inverse % prime
+    moved[ring.sine_index(number)] = 2 * value * inverse % prime
+    return moved
 
 
 Unknown = tuple[str, int]  # ("angle", number of the basis angle) or ("x", index)
@@ -93,19 +212,7 @@ def _angle_root(
 ) -> tuple[int, int] | None:
     """(cos, sin) of an angle that makes the condition vanish, by its half-tangent."""
     sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)
-    parts: dict[tuple[int, int], dict[tuple[int, ...], Any]] = {}
-    for exponents, coefficient in condition.to_dict().items():
-        key = (int(exponents[sine]), int(exponents[cosine]))
-        rest = tuple(0 if i in (sine, cosine) else e for i, e in enumerate(exponents))
-        parts.setdefault(key, {})[rest] = coefficient
-    degree = max(s + c for s, c in parts)
-    context = condition.context()
-    total = nmod_poly([0], prime)
-    for (s, c), terms in parts.items():
-        value = residue(context.from_dict(terms), point, prime)
-        term = nmod_poly([value], prime)
-        term *= nmod_poly([0, 2], prime) ** s * nmod_poly([1, 0, -1], prime) ** c
-        total += term * nmod_poly([1, 0, 1], prime) ** (degree - s - c)
+    total = _in_tangent(condition, sine, cosine, point, prime)
     if total == 0:
         return random_angle(source, prime)
     if total.degree() < 1:
@@ -120,14 +227,28 @@ def _angle_root(
     return None
 
 
-def root_in(
-    polynomial: Polynomial,
-    index: int,
-    point: Point,
-    source: random.Random,
-    prime: int,
-) -> int | None:
-    """A root mod p of a polynomial in one generator, the others fixed."""
+def _in_tangent(
+    condition: Polynomial, sine: int, cosine: int, point: Point, prime: int
+) -> Any:
+    """A condition as a polynomial in the tangent of half an angle, without divisor."""
+    parts: dict[tuple[int, int], dict[tuple[int, ...], Any]] = {}
+    for exponents, coefficient in condition.to_dict().items():
+        key = (int(exponents[sine]), int(exponents[cosine]))
+        rest = tuple(0 if i in (sine, cosine) else e for i, e in enumerate(exponents))
+        parts.setdefault(key, {})[rest] = coefficient
+    degree = max(s + c for s, c in parts)
+    context = condition.context()
+    total = nmod_poly([0], prime)
+    for (s, c), terms in parts.items():
+        value = residue(context.from_dict(terms), point, prime)
+        term = nmod_poly([value], prime)
+        term *= nmod_poly([0, 2], prime) ** s * nmod_poly([1, 0, -1], prime) ** c
+        total += term * nmod_poly([1, 0, 1], prime) ** (degree - s - c)
+    return total
+
+
+def _in_symbol(polynomial: Polynomial, index: int, point: Point, prime: int) -> Any:
+    """A condition as a polynomial in one generator."""
     values = list(point)
     values[index] = 1
     parts: dict[int, dict[tuple[int, ...], Any]] = {}
@@ -139,7 +260,18 @@ def root_in(
         for power, terms in parts.items()
     }
     dense = [coefficients.get(k, 0) for k in range(max(coefficients) + 1)]
-    roots = nmod_poly(dense, prime).roots()
+    return nmod_poly(dense, prime)
+
+
+def root_in(
+    polynomial: Polynomial,
+    index: int,
+    point: Point,
+    source: random.Random,
+    prime: int,
+) -> int | None:
+    """A root mod p of a polynomial in one generator, the others fixed."""
+    roots = _in_symbol(polynomial, index, point, prime).roots()
     if not roots:
         return None
     return int(source.choice(roots)[0])

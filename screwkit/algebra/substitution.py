@@ -52,8 +52,7 @@ def substituted(
             gens[index] = image * scale
         replaced = [_composed(value, gens) for value in values]
     else:
-        indices = [index for index, _ in step.images]
-        power = max((_degree_in(v, indices) for v in values), default=0)
+        power = power_of(values, step)
         replaced = [_fraction_free(ring, value, step, power) for value in values]
     normal = [ring.normal(value) for value in replaced]
     if step.relation is not None:
@@ -63,6 +62,14 @@ def substituted(
             for v in normal
         ]
     return normal
+
+
+def power_of(values: Sequence[Polynomial], step: Substitution) -> int:
+    """The power of the step's divisor by which `substituted` multiplies a vector."""
+    if step.divisor.is_constant():
+        return 0
+    indices = [index for index, _ in step.images]
+    return max((_degree_in(v, indices) for v in values), default=0)
 
 
 def _composed(value: Polynomial, images: Sequence[Polynomial]) -> Polynomial:

@@ -286,6 +286,21 @@ class TrigonometricRing:
                 ]
         return cleared
 
+    def scale_of(self, column: Sequence[Polynomial]) -> Polynomial:
+        """What `without_divisors` multiplies a column with."""
+        scale = self._one
+        cleared = list(column)
+        for name, divisor in self._divisor_values.items():
+            index = self.names.index(name)
+            power = max(int(p.degrees()[index]) for p in cleared)
+            if power:
+                cleared = [
+                    self.normal(_cleared(p, index, power, divisor, self))
+                    for p in cleared
+                ]
+                scale = self.normal(_cleared(scale, index, power, divisor, self))
+        return scale
+
     @property
     def divisors_of(self) -> Mapping[str, Polynomial]:
         """What each generator that stands for an inverse is the inverse of."""

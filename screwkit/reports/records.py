@@ -30,6 +30,7 @@ from screwkit.results.singularities import (
 )
 from screwkit.results.sweep import Sweep
 from screwkit.results.undecided import Undecided
+from screwkit.results.verification import Verification
 
 Result: TypeAlias = (
     Mobility
@@ -40,6 +41,7 @@ Result: TypeAlias = (
     | Manipulability
     | Reach
     | Sweep
+    | Verification
     | Analysis
     | Undecided
 )
@@ -53,6 +55,7 @@ QUESTIONS: Final[dict[str, type]] = {
     "manipulability": Manipulability,
     "reach": Reach,
     "sweep": Sweep,
+    "verify": Verification,
     "analyze": Analysis,
 }
 _NAMES: Final = {kind: name for name, kind in QUESTIONS.items()}

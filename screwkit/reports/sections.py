@@ -24,6 +24,7 @@ from screwkit.reports.about_singularities import (
     singularities_blocks,
 )
 from screwkit.reports.about_sweep import sweep_blocks
+from screwkit.reports.about_verification import verification_blocks
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -53,6 +54,7 @@ from screwkit.results.singularities import (
 )
 from screwkit.results.sweep import Sweep
 from screwkit.results.undecided import Undecided
+from screwkit.results.verification import Verification
 
 _FORMULA = re.compile(r"[*(]|\w [-+] \w")
 
@@ -124,6 +126,11 @@ def _(result: RelativeMotion) -> tuple[Block, ...]:
 @blocks.register
 def _(result: Singularities) -> tuple[Block, ...]:
     return singularities_blocks(result)
+
+
+@blocks.register
+def _(result: Verification) -> tuple[Block, ...]:
+    return verification_blocks(result)
 
 
 @blocks.register

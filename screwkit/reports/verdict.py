@@ -13,6 +13,7 @@ from screwkit.results.schemes import Schemes
 from screwkit.results.screws import IdentifiedScrew, LimbScrews, PlatformScrews, Screws
 from screwkit.results.singularities import Singularities
 from screwkit.results.undecided import Undecided
+from screwkit.results.verification import Verification
 
 
 def is_plain_yes(result: Any) -> bool:
@@ -33,6 +34,8 @@ def is_plain_yes(result: Any) -> bool:
             fine = locked is None or (locked.admissible and locked.complete)
             limbs = all(limb.complete for limb in result.limb)
             return fine and limbs and result.constraint.complete
+        case Verification():
+            return result.accepted
         case Screws():
             return all(screw.coordinates for screw in _screws_of(result))
         case Schemes():

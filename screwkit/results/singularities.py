@@ -127,6 +127,8 @@ class Singularities(Shown):
         platform_name: What the file calls the platform, for sentences.
         one_posture: Whether the file describes one posture in numbers, so that the
             answer is about that posture and no other.
+        certificate: The text of the certificate, or where it was written; None where
+            none was asked for.
     """
 
     case: str
@@ -137,3 +139,4 @@ class Singularities(Shown):
     assumptions: tuple[str, ...] = ()
     platform_name: str = ""
     one_posture: bool = False
+    certificate: str | None = None

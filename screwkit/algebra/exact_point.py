@@ -1,0 +1,130 @@
+"""Residues at one chosen point: every angle and symbol has the value it was given.
+
+Unlike `modular.ModularRing`, which draws what it is asked for, this ring holds a point
+that can be changed, so that postures on a condition can be built step by step.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping, Sequence
+
+from flint import nmod, nmod_mat, nmod_poly
+
+from screwkit.algebra.constants import ConstantField
+from screwkit.algebra.evaluation import add_angles, evaluate, multiply_angle
+from screwkit.algebra.expression import Expression
+from screwkit.algebra.modular import ModularRing, ResampleError, Residue
+from screwkit.algebra.rational_values import rational_value
+
+Turn = tuple[Residue, Residue]
+"""(cos, sin) of an angle."""
+
+
+class PointRing(ModularRing):
+    """Residues mod p with given values of basis angles and symbols.
+
+    Args:
+        prime: The modulus.
+        constants: The field of the geometry's constants; has roots mod ``prime``.
+        declared: Each declared angle as an integer combination of basis angles.
+        turns: (cos, sin) of the basis angles.
+        numbers: Values of symbols.
+    """
+
+    def __init__(
+        self,
+        prime: int,
+        constants: ConstantField,
+        declared: Mapping[str, Mapping[int, int]],
+        turns: Sequence[Turn],
+        numbers: Mapping[str, Residue],
+    ) -> None:
+        super().__init__(0, prime, constants)
+        self.turns = tuple(turns)
+        self.numbers = dict(numbers)
+        self._declared = declared
+
+    def changed(
+        self,
+        angle: int | None = None,
+        turn: Turn | None = None,
+        numbers: Mapping[str, Residue] | None = None,
+    ) -> PointRing:
+        """The point with one basis angle or some symbols moved."""
+        turns = list(self.turns)
+        if angle is not None and turn is not None:
+            turns[angle] = turn
+        return PointRing(
+            self.prime,
+            self.constants,
+            self._declared,
+            turns,
+            self.numbers | dict(numbers or {}),
+        )
+
+    def value(self, expression: Expression) -> Residue:
+        """What an expression is here.
+
+        Raises:
+            ResampleError: If a root or an inverse in it does not exist here.
+        """
+        return evaluate(expression, self)
+
+    def symbol(self, name: str) -> Residue:
+        """The value given for this symbol."""
+        return self.numbers[name]
+
+    def cosine_sine(self, angle: str) -> Turn:
+        """(cos, sin) of a declared angle, from those of the basis."""
+        if angle not in self._angles:
+            pair = (self.one, self.zero)
+            for number, count in self._declared[angle].items():
+                turned = multiply_angle(count, self.turns[number], self)
+                pair = add_angles(pair, turned, self)
+            self._angles[angle] = pair
+        return self._angles[angle]
+
+    def square_root(self, radicand: Expression, value: Residue) -> Residue:
+        """The root of this value that is the same wherever the value is the same."""
+        known = rational_value(radicand)
+        if known is not None and known >= 0:
+            return super().square_root(radicand, value)
+        roots = sorted(roots_of([int(-value), 0, 1], self.prime))
+        if not roots:
+            raise ResampleError
+        return nmod(roots[0], self.prime)
+
+
+def roots_of(coefficients: Sequence[int], prime: int) -> list[int]:
+    """The roots mod p of a polynomial that is not zero, constant coefficient first."""
+    return [int(root) for root, _ in nmod_poly(list(coefficients), prime).roots()]
+
+
+def random_residue(source: random.Random, prime: int) -> Residue:
+    """Not 0."""
+    return nmod(source.randrange(1, prime), prime)
+
+
+def random_turn(source: random.Random, prime: int) -> Turn:
+    """A random point of the circle."""
+    while True:
+        turn = turn_of(random_residue(source, prime))
+        if turn is not None:
+            return turn
+
+
+def turn_of(tangent: Residue) -> Turn | None:
+    """(cos, sin) of the angle with this tangent of its half."""
+    below = 1 + tangent * tangent
+    if below == 0:
+        return None
+    return (1 - tangent * tangent) / below, 2 * tangent / below
+
+
+def determinant_modulo(rows: Sequence[Sequence[Residue]], prime: int) -> Residue:
+    """Determinant of a square matrix; 1 of the empty one."""
+    if not rows:
+        return nmod(1, prime)
+    entries = [int(value) for row in rows for value in row]
+    return nmod(int(nmod_mat(len(rows), len(rows), entries, prime).det()), prime)

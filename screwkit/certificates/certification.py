@@ -1,0 +1,253 @@
+"""Certificates of an answer of `singularities`: each list with its proof.
+
+The answer's own text is the start: its equations are read back, and everything else is
+derived anew.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.decomposition import Search
+from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.points import residue
+from screwkit.algebra.polynomial_text import text
+from screwkit.algebra.trigonometric import Polynomial
+from screwkit.certificates.checking import checked
+from screwkit.certificates.conditions import Problem
+from screwkit.certificates.derivation import proof_of
+from screwkit.certificates.minor_choice import Matrix
+from screwkit.certificates.postures import RefusedError, read
+from screwkit.certificates.records import (
+    Certificate,
+    Locus,
+    Part,
+    Reach,
+    Source,
+)
+from screwkit.certificates.roots import NotProvedError, roots_of
+from screwkit.certificates.signs import Signs
+from screwkit.certificates.steps import written_step
+from screwkit.certificates.written import SCHEMA
+from screwkit.kinematics.assembly import Assembly
+from screwkit.kinematics.frames import FramedTwists
+from screwkit.kinematics.placement import joint_twists
+from screwkit.loci.loop_drop import imposed
+from screwkit.progress import Progress, silent
+from screwkit.results.singularities import Component, Singularities
+
+
+def certified(
+    assembly: Assembly,
+    answer: Singularities,
+    mechanism: Source,
+    version: str,
+    progress: Progress = silent,
+) -> Certificate:
+    """The certificate of an answer.
+
+    Args:
+        assembly: Of the mechanism.
+        answer: Its limb, constraint and actuation singularities.
+        mechanism: As it was read, to be carried along.
+        version: Of the package.
+        progress: Told about each part.
+    """
+    parts = []
+    for limb, own in zip(assembly.limbs, answer.limb, strict=True):
+        progress("certificate", f"limb {limb.name}")
+        framed = assembly.limb_twists[limb.name]
+        matrix = Matrix(
+            (tuple(framed.column(joint) for joint in limb.joints),),
+            (limb.joints,),
+            tuple(range(6)),
+            single=True,
+        )
+        derivation = _Derivation(assembly, framed, matrix, limb.chain)
+        parts.append(
+            derivation.part(
+                "limb", own.components, complete=own.complete, limb=limb.name
+            )
+        )
+    if len(assembly.limbs) > 1:
+        progress("certificate", "constraint")
+        derivation = _of_loops(assembly, ())
+        constraint = answer.constraint
+        parts.append(
+            derivation.part(
+                "constraint", constraint.components, complete=constraint.complete
+            )
+        )
+    actuation = answer.actuation
+    if actuation is not None and actuation.admissible and len(assembly.limbs) > 1:
+        progress("certificate", "actuation")
+        derivation = _of_loops(assembly, actuation.actuated)
+        parts.append(
+            derivation.part(
+                "actuation",
+                actuation.components,
+                actuation.idle,
+                complete=actuation.complete,
+                locked=actuation.actuated,
+            )
+        )
+    return Certificate(SCHEMA, answer.case, version, mechanism, tuple(parts))
+
+
+def _of_loops(assembly: Assembly, locked: Sequence[str]) -> _Derivation:
+    left = [[j for j in limb.joints if j not in locked] for limb in assembly.limbs]
+    matrix = Matrix(
+        tuple(tuple(map(tuple, assembly.told(own))) for own in left),
+        tuple(map(tuple, left)),
+        assembly.telling,
+        single=False,
+    )
+    chain = [name for limb in assembly.limbs for name in limb.chain]
+    return _Derivation(assembly, assembly.common_twists, matrix, chain)
+
+
+class _Derivation:
+    """One part under way."""
+
+    def __init__(
+        self,
+        assembly: Assembly,
+        framed: FramedTwists,
+        matrix: Matrix,
+        chain: Sequence[str],
+    ) -> None:
+        self._assembly, self._framed, self._matrix = assembly, framed, matrix
+        self._chain = chain
+        self._ring = framed.ring
+        self._root = replace(assembly.root(framed.ring), thorough=True)
+        self._library = assembly.library(framed.ring)
+        declared = assembly.assumptions
+        self._signs = Signs(declared.positive, declared.positive | declared.nonzero)
+
+    def part(
+        self,
+        question: str,
+        components: Sequence[Component],
+        idle: Sequence[Component] = (),
+        *,
+        complete: bool,
+        limb: str = "",
+        locked: Sequence[str] = (),
+    ) -> Part:
+        """The claims with their proof, or with the reason why there is none."""
+        loci = [self._polynomials(component) for component in components]
+        part = self._claims(question, components, idle, loci, limb, locked)
+        if not complete:
+            return replace(part, reason="the answer says that its list may have gaps")
+        try:
+            problem = self._problem(loci, moving=question == "actuation")
+            proved = replace(part, proof=proof_of(problem))
+            checked(self._assembly.mechanism, proved, "written")
+        except (NotProvedError, RefusedError) as error:
+            return replace(part, reason=str(error))
+        return proved
+
+    def _claims(
+        self,
+        question: str,
+        components: Sequence[Component],
+        idle: Sequence[Component],
+        loci: Sequence[tuple[Polynomial, ...]],
+        limb: str,
+        locked: Sequence[str],
+    ) -> Part:
+        return Part(
+            question=question,
+            origin=self._framed.origin,
+            angles=tuple(dict(form) for form in self._ring.basis),
+            rank=max(self._matrix.rank_at(*at) for at in self._root.points),
+            components=tuple(
+                self._locus(c, own) for c, own in zip(components, loci, strict=True)
+            ),
+            limb=limb,
+            locked=tuple(locked),
+            scales=self._scales() or None,
+            idle=tuple(self._locus(c, self._polynomials(c)) for c in idle),
+        )
+
+    def _problem(
+        self, loci: Iterable[tuple[Polynomial, ...]], *, moving: bool
+    ) -> Problem:
+        squares = {
+            joint: self._framed.axis_square(joint) for joint in self._framed.joints
+        }
+        return Problem(
+            self._root,
+            self._matrix,
+            tuple(loci),
+            moving,
+            self._library,
+            self._signs,
+            {j: square for j, square in squares.items() if not square.is_constant()},
+        )
+
+    def _polynomials(self, component: Component) -> tuple[Polynomial, ...]:
+        return tuple(evaluate(read(e), self._ring) for e in component.equations)
+
+    def _locus(self, component: Component, equations: tuple[Polynomial, ...]) -> Locus:
+        branches = self._branches(equations, component.codimension)
+        if not branches:
+            raise ArithmeticError("a component without an exact posture was answered")
+        points = [at for branch in branches for at in branch.points]
+        freedom = -1
+        if not self._matrix.single:
+            freedom = min(self._matrix.freedom_at(*at) for at in points)
+        return Locus(
+            component.equations,
+            max(self._matrix.rank_at(*at) for at in points),
+            freedom,
+            tuple(_reach(branch) for branch in branches),
+        )
+
+    def _branches(
+        self, equations: tuple[Polynomial, ...], codimension: int
+    ) -> list[Branch]:
+        """The sheets of a component."""
+        search = Search(self._library)
+        branches = [self._root]
+        for equation in equations:
+            # Equations beyond the codimension only tell the component from other zeros.
+            branches = [
+                b
+                for a in branches
+                for b in (
+                    imposed(a, equation, search) if a.codimension < codimension else [a]
+                )
+            ]
+        found = [
+            branch
+            for branch in branches
+            if branch.points
+            and all(residue(e, *at) == 0 for at in branch.points for e in equations)
+        ]
+        least = min((branch.codimension for branch in found), default=0)
+        return [branch for branch in found if branch.codimension == least]
+
+    def _scales(self) -> dict[str, str]:
+        """What the columns were multiplied with to clear divisors."""
+        ring = self._ring
+        if not ring.divisors_of:
+            return {}
+        twists = joint_twists(
+            self._assembly.mechanism, ring, self._framed.origin, self._chain
+        )
+        found = {}
+        for label in self._framed.joints:
+            scale = ring.scale_of(twists[label].coordinates)
+            if not scale.is_constant():
+                found[label] = text(ring, scale)
+        return found
+
+
+def _reach(branch: Branch) -> Reach:
+    """How points of a branch are found."""
+    steps = tuple(written_step(branch, n) for n in range(len(branch.steps)))
+    ring = branch.ring
+    return Reach(steps, roots_of(ring, [p.value for p in branch.pending]))

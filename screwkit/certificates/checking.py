@@ -1,0 +1,385 @@
+"""Checks a certificate from the mechanism alone, with residues at random points.
+
+Nothing here expands, factors or solves a polynomial.  An identity is checked by its
+values: if it were false, values modulo a random 61-bit prime would agree with a
+probability below degree/2⁶⁰ [Schwartz1980].  That the cases of a node cover it, and
+that the sheets of a case are all solutions, is checked rule by rule.
+
+References: [CoxLittleOShea] §9.1; docs/decisions/0019-certificates.md.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import islice
+from typing import Any
+
+from screwkit.algebra.exact_point import PointRing
+from screwkit.algebra.expression import Expression
+from screwkit.algebra.expression_building import symbols_of
+from screwkit.algebra.modular import ResampleError
+from screwkit.certificates.claimed_loci import ClaimedLoci
+from screwkit.certificates.postures import Postures, RefusedError, Way, fraction, read
+from screwkit.certificates.records import (
+    Case,
+    Certificate,
+    Multiple,
+    Node,
+    Part,
+    Sheet,
+    Step,
+)
+from screwkit.certificates.screw_matrix import ScrewMatrix
+from screwkit.certificates.signs import Signs
+from screwkit.certificates.solutions import POINTS, Solutions
+from screwkit.mechanism.model import Mechanism
+
+ATTEMPTS = 8
+"""Choices of postures before a part is given up."""
+
+
+def check(certificate: Certificate, mechanism: Mechanism, seed: int) -> None:
+    """Check every part of a certificate.
+
+    Args:
+        certificate: What is claimed.
+        mechanism: As read from its file.
+        seed: Of the random postures; whoever wrote the certificate must not know it.
+
+    Raises:
+        RefusedError: With what does not hold.
+    """
+    if not certificate.parts:
+        raise RefusedError("it claims nothing")
+    for number, part in enumerate(certificate.parts):
+        try:
+            checked(mechanism, part, f"{seed}/{number}")
+        except RefusedError as refusal:
+            raise RefusedError(f"{name_of(part)}: {refusal}") from None
+
+
+def checked(mechanism: Mechanism, part: Part, seed: str) -> None:
+    """Check a part; again with other postures where one lacks a root."""
+    for attempt in range(ATTEMPTS):
+        try:
+            _PartCheck(mechanism, part, random.Random(f"{seed}/{attempt}")).all()
+        except ResampleError:
+            continue
+        return
+    raise RefusedError("roots or inverses in it do not exist at random postures")
+
+
+def name_of(part: Part) -> str:
+    """What a part is about, in words."""
+    if part.question == "limb":
+        return f"limb {part.limb}"
+    if part.locked:
+        return f"{part.question} with {', '.join(part.locked)} locked"
+    return part.question
+
+
+class _PartCheck:
+    """One part of a certificate under examination."""
+
+    def __init__(self, mechanism: Mechanism, part: Part, source: random.Random) -> None:
+        self._part = part
+        self._postures = Postures(mechanism, part, source)
+        self._matrix = ScrewMatrix(self._postures)
+        own = mechanism.parameters
+        self._signs = Signs(
+            {p.name for p in own if p.positive},
+            {p.name for p in own if p.positive or p.nonzero},
+        )
+        self._dimensions = {p.name for p in own if not p.free}
+        self._solutions = Solutions(self._postures, self._signs)
+        self._finished: dict[int, Way] = {}
+        self._met: set[int] = set()
+
+    def all(self) -> None:
+        """Check the part."""
+        part = self._part
+        if part.question not in ("limb", "constraint", "actuation"):
+            raise RefusedError(f"{part.question!r} is no question")
+        if part.question != "actuation" and (part.locked or part.idle):
+            raise RefusedError("only actuation locks joints")
+        loci = ClaimedLoci(self._postures, self._matrix)
+        loci.generic()
+        for number, locus in enumerate((*part.components, *part.idle)):
+            moves = number < len(part.components)
+            try:
+                loci.component(locus, moves=moves)
+            except RefusedError as refusal:
+                text = " = 0, ".join(locus.equations)
+                raise RefusedError(f"component {text} = 0: {refusal}") from None
+        if part.proof is not None:
+            loci.none_inside_another()
+            self._node(part.proof, Way())
+
+    # -- the tree --------------------------------------------------------------------
+
+    def _node(self, node: Node, way: Way) -> None:
+        if node.number in self._met or node.number < 0:
+            raise RefusedError(f"node {node.number} stands twice")
+        self._met.add(node.number)
+        try:
+            self._examined(node, way)
+        except RefusedError as refusal:
+            if str(refusal).startswith("node "):
+                raise
+            raise RefusedError(f"node {node.number}: {refusal}") from None
+        self._finished[node.number] = way
+
+    def _examined(self, node: Node, way: Way) -> None:
+        if node.component >= 0:
+            self._on_component(node, way)
+        elif node.earlier >= 0:
+            self._in_earlier(node, way)
+        elif node.axis:
+            self._without_axis(node, way)
+        elif node.special:
+            self._special(node, way)
+        elif node.impossible >= 0:
+            self._impossible(node, way)
+        else:
+            self._product(node, way)
+            if self._part.question == "actuation" and _is_minor(node):
+                self._still(node, way)
+            for case in node.cases:
+                self._case(case, way)
+
+    def _zero_on(self, expression: Expression, way: Way) -> bool:
+        """Whether it vanishes by the solved steps of a way alone."""
+        points = islice(self._postures.on(Way(way.steps)), POINTS)
+        return all(self._value(expression, point) == 0 for point in points)
+
+    def _value(self, expression: Expression, point: PointRing) -> Any:
+        return point.value(expression)
+
+    def _on_component(self, node: Node, way: Way) -> None:
+        try:
+            locus = self._part.components[node.component]
+        except IndexError:
+            raise RefusedError(f"there is no component {node.component}") from None
+        multiples = {multiple.equation: multiple for multiple in node.multiples}
+        for number, text in enumerate(locus.equations):
+            for point in islice(self._postures.on(Way(way.steps)), POINTS):
+                value = self._value(read(text), point)
+                if not self._follows(value, multiples.get(number), way, point):
+                    raise RefusedError(f"{text} does not vanish on it")
+
+    def _follows(
+        self, value: Any, multiple: Multiple | None, way: Way, point: PointRing
+    ) -> bool:
+        """Whether a value is 0 by the steps of a way, or a multiple of a condition."""
+        if multiple is None:
+            return bool(value == 0)
+        condition = self._value(read(_condition(way, multiple.condition)), point)
+        right = self._value(read(multiple.times), point) * condition
+        return bool(value * self._divided(multiple.over, way, point) == right)
+
+    def _in_earlier(self, node: Node, way: Way) -> None:
+        earlier = self._finished.get(node.earlier)
+        if earlier is None:
+            raise RefusedError(f"node {node.earlier} was not finished before")
+        for text in earlier.conditions:
+            if text not in way.conditions and not self._zero_on(read(text), way):
+                raise RefusedError(f"it is not in node {node.earlier}")
+        for point in islice(self._postures.on(Way(way.steps)), POINTS):
+            if not all(self._satisfied(step, point) for step in earlier.steps):
+                raise RefusedError(f"it is not in node {node.earlier}")
+
+    def _satisfied(self, step: Step, point: PointRing) -> bool:
+        if step.kind == "symbol":
+            left = point.value(read(step.over)) * point.symbol(step.symbol)
+            return bool(left == point.value(read(step.value)))
+        cosine, sine = point.turns[step.angle]
+        if step.kind == "numbers":
+            a, b, c = (point.rational(fraction(text)) for text in step.numbers)
+            return bool(a * sine + b * cosine + c == 0)
+        over = point.value(read(step.over))
+        return bool(
+            over * cosine == point.value(read(step.cosine))
+            and over * sine == point.value(read(step.sine))
+        )
+
+    def _without_axis(self, node: Node, way: Way) -> None:
+        """The squared length of an axis vanishes: there is no such mechanism."""
+        free, label = next(self._postures.on(Way())), node.axis
+        if label not in self._matrix.twists(free):
+            raise RefusedError(f"there is no freedom {label!r}")
+        turning = any(x != 0 for x in self._matrix.twists(free)[label][:3])
+        place = slice(0, 3) if turning else slice(3, 6)
+        for point in islice(self._postures.on(Way(way.steps)), POINTS):
+            square = sum(
+                (x * x for x in self._matrix.twists(point)[label][place]), point.zero
+            )
+            if not self._follows(square, next(iter(node.multiples), None), way, point):
+                raise RefusedError(f"the axis of {label} has a direction on it")
+
+    def _impossible(self, node: Node, way: Way) -> None:
+        condition = read(_condition(way, node.impossible))
+        value = read(node.impossible_value)
+        if not self._signs.never_zero(value):
+            raise RefusedError(f"{node.impossible_value} may vanish")
+        for point in islice(self._postures.on(Way(way.steps)), POINTS):
+            left = self._value(condition, point)
+            left = left * self._divided(node.over or {}, way, point)
+            if left != self._value(value, point):
+                raise RefusedError("a condition is not what it is said to be")
+
+    def _divided(self, over: Mapping[str, int], way: Way, point: PointRing) -> Any:
+        """The product of powers of the divisors of a way's steps at a posture."""
+        product = point.one
+        for number, power in over.items():
+            try:
+                step = way.steps[int(number)]
+            except (ValueError, IndexError):
+                raise RefusedError(f"there is no step {number}") from None
+            product = product * self._value(read(step.over), point) ** power
+        return product
+
+    def _product(self, node: Node, way: Way) -> None:
+        """A minor, or a condition, is a number times the product of the cases."""
+        if _is_minor(node):
+            size = self._part.rank
+            if self._part.question == "actuation":
+                size = node.rank
+            if len(node.rows) != size or len(node.columns) != size:
+                raise RefusedError(f"its minor is not of size {size}")
+            if min(node.rows, default=0) < 0 or not {*node.columns} <= {
+                *self._matrix.columns
+            }:
+                raise RefusedError("its minor is none of the matrix")
+        ratios: set[int] = set()
+        paired = any(len(case.equations) > 1 for case in node.cases)
+        for point in islice(self._postures.on(Way(way.steps)), POINTS):
+            if node.combination:
+                left = point.zero
+                for own in node.combination:
+                    condition = self._value(read(_condition(way, own.condition)), point)
+                    term = self._value(read(own.times), point) * condition
+                    left = left + term * self._divided(own.over, way, point)
+            elif node.condition >= 0:
+                left = self._value(read(_condition(way, node.condition)), point)
+            else:
+                try:
+                    left = self._matrix.minor(point, node.rows, node.columns)
+                except IndexError:
+                    raise RefusedError("its minor is none of the matrix") from None
+            left = left * self._divided(node.over or {}, way, point)
+            right = point.one
+            for case in node.cases:
+                right = right * self._factor(case, point, paired=paired) ** case.power
+            if right == 0 or left == 0:
+                raise RefusedError("its product vanishes at a random posture")
+            ratio = left * left / right if paired else left / right
+            ratios.add(int(ratio))
+        if len(ratios) > 1:
+            raise RefusedError("its minor is not the product of its cases")
+
+    def _factor(self, case: Case, point: PointRing, *, paired: bool) -> Any:
+        """A factor's value; its square where some factor is a half-angle form."""
+        values = [self._value(read(text), point) for text in case.equations]
+        if not values or case.power < 1:
+            raise RefusedError("a case without equation or power")
+        if not paired:
+            return values[0]
+        return sum((value * value for value in values), point.zero)
+
+    def _still(self, node: Node, way: Way) -> None:
+        """Where the minor does not vanish the platform keeps still.
+
+        The rank there is the generic one of the node, hence the mobility; the limbs'
+        own motions are no fewer than in general, so that no motion is left for the
+        platform if in general there is none.
+        """
+        if node.rank == self._part.rank:
+            return
+        for point in islice(self._postures.on(way, node.roots), 2 * POINTS):
+            self._meets(point, way)
+            rank = self._matrix.rank(point)
+            if rank > node.rank:
+                raise RefusedError(f"the rank on it is {rank}")
+            if rank == node.rank and self._matrix.freedom(point):
+                raise RefusedError("the platform moves on it")
+
+    def _meets(self, point: PointRing, way: Way) -> None:
+        """Postures found by roots must satisfy all conditions of a way."""
+        for text in way.conditions:
+            if self._value(read(text), point) != 0:
+                raise RefusedError(f"no root was given for {text} = 0")
+
+    def _special(self, node: Node, way: Way) -> None:
+        """Moving on the node changes the dimensions in fewer ways than there are.
+
+        So they satisfy an equation there, and dimensions in general do not.
+        """
+        names = sorted(self._dimensions & {*self._postures.symbols})
+        texts = [*names, *way.conditions]
+        if not names:
+            raise RefusedError("there are no dimensions that could be special")
+        for point in islice(self._postures.drawn_before(way, node.roots), POINTS):
+            self._meets(self._postures.moved(point, way), way)
+            try:
+                rows = self._postures.changes(point, way, texts)
+            except ResampleError:
+                raise RefusedError("no derivative was found on it") from None
+            bound = self._matrix.rank_of([row[len(names) :] for row in rows])
+            if self._matrix.rank_of(rows) - bound >= len(names):
+                raise RefusedError("the dimensions are free on it")
+
+    # -- cases -----------------------------------------------------------------------
+
+    def _case(self, case: Case, way: Way) -> None:
+        texts = [read(text) for text in case.equations]
+        if case.end == "positive":
+            if len(texts) != 1 or not self._signs.never_zero(texts[0]):
+                raise RefusedError(f"{case.equations[0]} may vanish")
+        elif case.end == "special":
+            if not any(symbols_of(e) <= self._dimensions for e in texts):
+                raise RefusedError(f"{case.equations[0]} is not of dimensions alone")
+        elif case.end == "unreal":
+            a, b, c = self._solutions.numbers(case, case.angle, case.numbers, way)
+            if c * c <= a * a + b * b:
+                raise RefusedError(f"{case.equations[0]} has real solutions")
+        elif case.end == "divisor":
+            self._divides(case, way)
+        elif case.end:
+            raise RefusedError(f"{case.end!r} is no reason")
+        elif case.sheets:
+            self._solutions.solved(case, [sheet.step for sheet in case.sheets], way)
+            for sheet in case.sheets:
+                self._sheet(sheet, way)
+        elif case.kept is not None and len(case.equations) == 1:
+            conditions = (*way.conditions, case.equations[0])
+            self._node(case.kept, replace(way, conditions=conditions))
+        else:
+            raise RefusedError(f"{case.equations[0]}: nothing is said of this case")
+
+    def _divides(self, case: Case, way: Way) -> None:
+        """What a step divides by is a multiple of the case, and vanishes nowhere."""
+        if case.divisor is None or len(case.equations) != 1:
+            raise RefusedError("a case without its divisor")
+        multiple = case.divisor
+        for point in islice(self._postures.on(Way(way.steps)), POINTS):
+            left = self._divided({str(multiple.equation): 1}, way, point)
+            left = left * self._divided(multiple.over, way, point)
+            right = self._value(read(multiple.times), point)
+            if left != right * self._value(read(case.equations[0]), point):
+                raise RefusedError(f"{case.equations[0]} is in no divisor")
+
+    def _sheet(self, sheet: Sheet, way: Way) -> None:
+        self._node(sheet.node, replace(way, steps=(*way.steps, sheet.step)))
+
+
+def _is_minor(node: Node) -> bool:
+    return node.condition < 0 and not node.combination
+
+
+def _condition(way: Way, number: int) -> str:
+    try:
+        return way.conditions[number]
+    except IndexError:
+        raise RefusedError(f"there is no condition {number}") from None

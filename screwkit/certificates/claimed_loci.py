@@ -1,0 +1,89 @@
+"""Whether what a certificate lists is there: ranks, components, none in another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import islice
+
+from screwkit.algebra.exact_point import PointRing
+from screwkit.certificates.postures import Postures, RefusedError, Way, read
+from screwkit.certificates.records import Locus
+from screwkit.certificates.screw_matrix import ScrewMatrix
+from screwkit.certificates.solutions import POINTS
+
+
+class ClaimedLoci:
+    """The components of one part under examination.
+
+    Args:
+        postures: Of the mechanism and the part.
+        matrix: Of the part.
+    """
+
+    def __init__(self, postures: Postures, matrix: ScrewMatrix) -> None:
+        self._postures, self._matrix = postures, matrix
+        self._part = postures.part
+
+    def generic(self) -> None:
+        """Check the rank in general, and that a scheme stops the platform.
+
+        Raises:
+            RefusedError: If either is otherwise.
+        """
+        points = [*islice(self._postures.on(Way()), POINTS)]
+        rank = max(map(self._matrix.rank, points))
+        if rank != self._part.rank:
+            raise RefusedError(f"its generic rank is {rank}, not {self._part.rank}")
+        if self._part.question == "actuation" and any(
+            map(self._matrix.freedom, points)
+        ):
+            raise RefusedError("the platform moves at every posture")
+
+    def component(self, locus: Locus, *, moves: bool) -> None:
+        """Check that postures are on a component, and what the rank is there.
+
+        Args:
+            locus: The component.
+            moves: Whether the platform is said to move there.
+
+        Raises:
+            RefusedError: If it is otherwise.
+        """
+        if not locus.equations or not locus.reach:
+            raise RefusedError("it has no equation or no posture")
+        ranks, freedoms = [], []
+        for point in self._points_of(locus):
+            for text in locus.equations:
+                if point.value(read(text)) != 0:
+                    raise RefusedError("its postures do not satisfy its equations")
+            ranks.append(self._matrix.rank(point))
+            if self._part.question != "limb":
+                freedoms.append(self._matrix.freedom(point))
+        if max(ranks) != locus.rank or min(ranks) >= self._part.rank:
+            raise RefusedError(f"the rank on it is {max(ranks)}, not {locus.rank}")
+        if self._part.question == "actuation" and (
+            min(freedoms) != locus.freedom or (locus.freedom > 0) != moves
+        ):
+            raise RefusedError(f"the platform has {min(freedoms)} freedoms there")
+
+    def _points_of(self, locus: Locus) -> Iterator[PointRing]:
+        for reach in locus.reach:
+            yield from islice(self._postures.on(Way(reach.steps), reach.roots), POINTS)
+
+    def none_inside_another(self) -> None:
+        """Check that each component has postures that lie on no other.
+
+        Raises:
+            RefusedError: If one has not.
+        """
+        loci = (*self._part.components, *self._part.idle)
+        for number, locus in enumerate(loci):
+            point = next(self._points_of(locus))
+            for place, other in enumerate(loci):
+                if place != number and not any(
+                    point.value(read(text)) != 0 for text in other.equations
+                ):
+                    raise RefusedError(
+                        f"component {' = 0, '.join(locus.equations)} = 0 lies in "
+                        f"another one"
+                    )

@@ -1,0 +1,203 @@
+"""What holds on a branch, and how a factor is solved there, for a proof.
+
+Everything is answered in a form that a certificate can state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from screwkit.algebra.branches import Branch, Pending
+from screwkit.algebra.division import Divisor, exact_quotient
+from screwkit.algebra.elimination import half_angle_steps, steps_of
+from screwkit.algebra.factors import Factor, FactorLibrary
+from screwkit.algebra.half_angle import HalfAngles
+from screwkit.algebra.points import residue
+from screwkit.algebra.polynomial_text import text
+from screwkit.algebra.restrictions import Layout
+from screwkit.algebra.substitution import Substitution, substituted
+from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.certificates.minor_choice import Matrix
+from screwkit.certificates.postures import read
+from screwkit.certificates.records import Multiple
+from screwkit.certificates.roots import NotProvedError
+from screwkit.certificates.signs import Signs
+from screwkit.certificates.steps import (
+    followed,
+    subtracted,
+)
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What is to be proved.
+
+    Attributes:
+        root: The whole configuration space.
+        components: The equations of each component.
+        moving: Whether a posture counts where the platform moves, not where the rank
+            of the matrix falls.
+        axes: By freedom: the square of its axis, where that is not constant.
+    """
+
+    root: Branch
+    matrix: Matrix
+    components: tuple[tuple[Polynomial, ...], ...]
+    moving: bool
+    library: FactorLibrary
+    signs: Signs
+    axes: dict[str, Polynomial]
+
+
+@dataclass(frozen=True)
+class Place:
+    """A node under way: its branch, and all conditions on the way to it."""
+
+    branch: Branch
+    conditions: tuple[Polynomial, ...] = ()
+
+    def number(self, pending: Pending) -> int:
+        """Of an unsolved condition of the branch among those of the way."""
+        return [str(c) for c in self.conditions].index(str(pending.condition))
+
+
+@dataclass(frozen=True)
+class Option:
+    """One solution of a case, or the case as a condition.
+
+    Attributes:
+        impossible: A condition that cannot hold there.
+    """
+
+    place: Place
+    step: Substitution | None
+    impossible: Pending | None = None
+
+
+@dataclass
+class Conditions:
+    """Questions about the branches of one problem."""
+
+    problem: Problem
+
+    def all_vanish(self, equations: Sequence[Polynomial], branch: Branch) -> bool:
+        """At random exact points."""
+        return all(residue(e, *at) == 0 for at in branch.points for e in equations)
+
+    def surely(self, place: Place, equations: Sequence[Polynomial]) -> bool:
+        """Whether equations hold by the steps alone, or are conditions of the way."""
+        known = {str(c) for c in place.conditions}
+        return all(str(e) in known or place.branch.value(e) == 0 for e in equations)
+
+    def multiples(
+        self, place: Place, equations: Sequence[Polynomial]
+    ) -> tuple[Multiple, ...] | None:
+        """Which equations are multiples of conditions; None where one is neither."""
+        found = []
+        branch = place.branch
+        for number, equation in enumerate(equations):
+            (value,), over = followed(branch, [equation])
+            if value == 0:
+                continue
+            for index, condition in enumerate(place.conditions):
+                (below,), under = followed(branch, [condition])
+                times = None if below == 0 else self.quotient(value, below)
+                if times is not None:
+                    written = text(branch.ring, times)
+                    powers = subtracted(over, under)
+                    found.append(Multiple(number, index, written, powers))
+                    break
+            else:
+                return None
+        return tuple(found)
+
+    def quotient(self, value: Polynomial, below: Polynomial) -> Polynomial | None:
+        """An exact quotient, if one is found."""
+        plain = exact_quotient(value, below)
+        if plain is not None or self.problem.library.is_extended(value):
+            return plain
+        ring = self.problem.root.ring
+        layout = Layout.of(ring)
+        return Divisor(below, ring, HalfAngles(ring, layout), layout).divide(value)
+
+    def in_divisor(self, branch: Branch, own: Factor) -> Multiple | None:
+        """The divisor of a step that a factor divides, which vanishes nowhere."""
+        if len(own.equations) > 1:
+            return None
+        for number, step in enumerate(branch.steps):
+            if step.divisor.is_constant():
+                continue
+            (value,), over = followed(branch, [step.divisor])
+            times = None if value == 0 else self.quotient(value, own.equations[0])
+            if times is not None:
+                return Multiple(number, -1, text(branch.ring, times), over)
+        return None
+
+    def positive(self, branch: Branch, own: Factor) -> bool:
+        """Whether a factor vanishes nowhere by the signs of its terms."""
+        if not branch.assumptions.is_nonzero(branch.ring, own.equations[0]):
+            return False
+        return self.problem.signs.never_zero(read(text(branch.ring, own.equations[0])))
+
+    def vanishes_nowhere(self, branch: Branch, own: Factor) -> bool:
+        """By the signs of its terms, or as a divisor."""
+        return self.positive(branch, own) or self.in_divisor(branch, own) is not None
+
+    def steps(self, branch: Branch, own: Factor) -> list[Substitution] | None:
+        """How a factor is solved, one step a sheet; None where it is not."""
+        condition, companions = own.equations[0], own.equations[1:]
+        if companions:
+            return half_angle_steps(
+                branch.ring, branch.assumptions, condition, companions
+            )
+        return steps_of(branch.ring, branch.assumptions, condition)
+
+    def options_of(self, place: Place, own: Factor) -> list[Option]:
+        """The sheets of a factor on a node, or the factor as a condition."""
+        branch = place.branch
+        condition, companions = own.equations[0], own.equations[1:]
+        conditions = (*branch.conditions, condition)
+        steps = self.steps(branch, own)
+        if steps is None:
+            if companions:
+                raise NotProvedError("a half-angle condition could not be solved")
+            known = {str(primitive(p.value)) for p in branch.pending}
+            if str(primitive(condition)) in known:
+                return [Option(Place(branch, (*place.conditions, condition)), None)]
+            pending = (*branch.pending, Pending(condition, condition))
+            kept = replace(branch, conditions=conditions, pending=pending)
+            return [Option(Place(kept, (*place.conditions, condition)), None)]
+        found = []
+        for step in steps:
+            whole = replace(step, condition=condition, companions=companions)
+            left, impossible = list[Pending](), None
+            for old in branch.pending:
+                value = substituted(branch.ring, [old.value], step)[0]
+                if value == 0:
+                    continue
+                if branch.assumptions.is_nonzero(branch.ring, value):
+                    impossible = old
+                if not any(primitive(value) == primitive(p.value) for p in left):
+                    left.append(Pending(old.condition, value))
+            child = replace(
+                branch,
+                conditions=conditions,
+                steps=(*branch.steps, whole),
+                pending=tuple(left),
+            )
+            found.append(Option(Place(child, place.conditions), whole, impossible))
+        return found
+
+    def is_of_dimensions(self, branch: Branch, own: Factor) -> bool:
+        """Whether a factor ties the dimensions of the mechanism alone."""
+        allowed = set(branch.dimensions)
+        degrees = own.equations[0].degrees()
+        extended = range(len(branch.ring.extensions))
+        used = {i for i, degree in enumerate(degrees) if degree}
+        first = branch.ring.symbol_indices().stop
+        return (
+            bool(used & allowed)
+            and all(i in allowed or i >= first for i in used if i not in extended)
+            and not used & set(extended)
+        )

@@ -1,0 +1,386 @@
+"""Looks for the proof that a list of components is the whole singular locus.
+
+It starts from the list alone, however that was found.  On each node a minor is taken
+that is not zero there and has few factors; where a factor vanishes, the posture lies on
+a component, or the search goes on there with another minor.
+
+References: [CoxLittleOShea] §9.1; docs/decisions/0019-certificates.md.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from itertools import combinations
+from typing import TypeAlias
+
+from screwkit.algebra.branches import Branch, without
+from screwkit.algebra.factors import Factor, factor
+from screwkit.algebra.points import Point
+from screwkit.algebra.polynomial_text import text
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
+from screwkit.certificates.conditions import Conditions, Option, Place, Problem
+from screwkit.certificates.minor_choice import Minor, minors_on
+from screwkit.certificates.postures import read
+from screwkit.certificates.records import Case, Multiple, Node, Sheet, Unsolved
+from screwkit.certificates.roots import NotProvedError, roots_of
+from screwkit.certificates.steps import (
+    followed,
+    numbers_of,
+    written_step,
+)
+
+NODES = 600
+"""Nodes of one proof."""
+
+LONGEST = 60_000
+"""Terms of a minor that is factored."""
+
+MIXED = 3
+"""Unsolved conditions from which on no further one is added to tell postures apart."""
+
+DEEPEST = 8
+"""Unsolved conditions on the way to a node."""
+
+SHORT = 40
+"""Terms of leading coefficients by which conditions are combined."""
+
+LOOKED_AT = 4
+"""Minors whose cases are all looked at before one is chosen."""
+
+
+_Candidate: TypeAlias = tuple[int, int, Minor, list[tuple[Factor, int]]]
+
+
+@dataclass
+class _Search(Conditions):
+    rank: int
+    count: int = 0
+    finished: list[tuple[int, tuple[Polynomial, ...]]] = field(default_factory=list)
+    source: random.Random = field(default_factory=lambda: random.Random(5))
+
+    # -- one node --------------------------------------------------------------------
+
+    def node(self, place: Place) -> Node:
+        """The proof of one node and everything below it."""
+        number = self.count
+        self.count += 1
+        if self.count > NODES or len(place.conditions) > DEEPEST:
+            raise NotProvedError("the proof would be too long")
+        ended = self.ended(place, number)
+        if ended is not None:
+            return ended
+        found = (
+            self.split_condition(place, number)
+            or self.combined(place, number)
+            or self.special(place, number)
+            or self.by_minor(place, number)
+        )
+        self.finished.append((number, self.equations(place)))
+        return found
+
+    def equations(self, place: Place) -> tuple[Polynomial, ...]:
+        """What tells the postures of a node."""
+        branch = place.branch
+        sheets = {str(sheet) for sheet in branch.sheets}
+        return (*branch.equations(sheets), *place.conditions)
+
+    def ended(self, place: Place, number: int) -> Node | None:
+        """Why nothing is to be done on a node; None where something is."""
+        branch = place.branch
+        for label, square in self.problem.axes.items():
+            multiples = self.multiples(place, [square])
+            if multiples is not None:
+                return Node(number, axis=label, multiples=multiples)
+        for k, equations in enumerate(self.problem.components):
+            if not branch.points or self.all_vanish(equations, branch):
+                multiples = self.multiples(place, equations)
+                if multiples is not None:
+                    return Node(number, component=k, multiples=multiples)
+        for earlier, equations in self.finished:
+            if (
+                branch.points
+                and self.all_vanish(equations, branch)
+                and self.surely(place, equations)
+            ):
+                return Node(number, earlier=earlier)
+        return None
+
+    # -- products --------------------------------------------------------------------
+
+    def split_condition(self, place: Place, number: int) -> Node | None:
+        """The node of a condition that can be factored, or solved, by now."""
+        branch = place.branch
+        for pending in branch.pending:
+            factors = factor(branch.ring, pending.value, self.problem.library).factors
+            same = len(factors) == 1 and str(factors[0][0].equations[0]) in (
+                str(pending.value),
+                str(primitive(pending.value)),
+            )
+            if same and self.steps(branch, factors[0][0]) is None:
+                continue
+            index = place.number(pending)
+            _, over = followed(branch, [place.conditions[index]])
+            before = replace(place, branch=without(branch, pending))
+            options = self.options(before, factors)
+            cases = self.cases(before, factors, options)
+            return Node(number, condition=index, over=over, cases=cases)
+        return None
+
+    def combined(self, place: Place, number: int) -> Node | None:
+        """The node of two conditions that imply a product of solvable factors.
+
+        Their leading coefficients in a generator are made equal, and one condition is
+        taken from the other.
+        """
+        branch = place.branch
+        ring = branch.ring
+        for one, two in combinations(branch.pending, 2):
+            shared = [
+                (place_, int(a))
+                for place_, (a, b) in enumerate(
+                    zip(one.value.degrees(), two.value.degrees(), strict=True)
+                )
+                if a and a == b
+            ]
+            for index, degree in shared:
+                first, second = (
+                    _leading(ring, p.value, index, degree) for p in (one, two)
+                )
+                if min(len(first), len(second)) > SHORT:
+                    continue
+                common = first.gcd(second)
+                first, second = first / common, second / common
+                value = ring.normal(second * one.value - first * two.value)
+                if value == 0 or len(value) > LONGEST:
+                    continue
+                factors = factor(ring, value, self.problem.library).factors
+                if any(
+                    self.steps(branch, own) is None
+                    and not self.vanishes_nowhere(branch, own)
+                    for own, _ in factors
+                ):
+                    continue
+                sums = tuple(
+                    Multiple(
+                        -1,
+                        place.number(pending),
+                        text(ring, times),
+                        followed(branch, [place.conditions[place.number(pending)]])[1],
+                    )
+                    for pending, times in ((one, second), (two, -first))
+                )
+                options = self.options(place, factors)
+                cases = self.cases(place, factors, options)
+                return Node(number, combination=sums, cases=cases)
+        return None
+
+    def special(self, place: Place, number: int) -> Node | None:
+        """The node of dimensions that are tied to each other."""
+        branch = place.branch
+        if not branch.points or not branch.is_special:
+            return None
+        roots = roots_of(branch.ring, [p.value for p in branch.pending])
+        return Node(number, special=True, roots=roots)
+
+    def by_minor(self, place: Place, number: int) -> Node:
+        """The node of the minor that leaves the fewest cases."""
+        branch, matrix = place.branch, self.problem.matrix
+        at = max(branch.points, key=lambda p: matrix.rank_at(*p), default=None)
+        if at is None or self.falls(at):
+            # A minor that vanishes on some of the postures here may tell them apart.
+            wider = replace(branch, pending=())
+            at = wider.points[0] if 0 < len(branch.pending) < MIXED else None
+            if at is None or self.falls(at):
+                raise NotProvedError(
+                    "some postures of the locus were shown on none of the components"
+                )
+        rank = matrix.rank_at(*at)
+        roots: tuple[Unsolved, ...] = ()
+        if self.problem.moving and rank < self.rank:
+            roots = roots_of(branch.ring, [p.value for p in branch.pending])
+        vanishing = {str(primitive(p.value)) for p in branch.pending}
+        candidates: list[_Candidate] = []
+        for minor in minors_on(branch, matrix, *at, self.source):
+            if len(minor.value) <= LONGEST:
+                factors = self.factors(branch, minor)
+                if any(own.key in vanishing for own, _ in factors):
+                    continue  # it says nothing here
+                open_ones = [f for f, _ in factors if not self.positive(branch, f)]
+                weight = sum(3 + len(f.equations[0]) for f in open_ones)
+                candidates.append((weight, len(candidates), minor, factors))
+                if not open_ones:
+                    break
+        if not candidates:
+            raise NotProvedError("all minors are too long")
+        candidates.sort(key=lambda candidate: candidate[:2])
+        known: dict[str, list[Option]] = {}
+        best = None
+        for _, order, minor, factors in candidates[:LOOKED_AT]:
+            options = self.options(place, factors, known)
+            left = sum(
+                1 + 4 * len(option.place.branch.pending)
+                for own in options
+                for option in own
+                if self.is_open(option)
+            )
+            if best is None or (left, order) < best[0]:
+                best = (left, order), minor, factors, options
+            if not left:
+                break
+        assert best is not None
+        _, minor, factors, options = best
+        labels = [x for own in matrix.labels for x in own]
+        return Node(
+            number,
+            rank=rank,
+            roots=roots,
+            rows=tuple(matrix.row(row) for row in minor.rows),
+            columns=tuple(labels[k] for k in minor.columns),
+            over=minor.over,
+            cases=self.cases(place, factors, options),
+        )
+
+    def falls(self, at: tuple[Point, int]) -> bool:
+        """Whether a posture belongs to the locus."""
+        matrix = self.problem.matrix
+        if self.problem.moving:
+            return matrix.freedom_at(*at) > 0
+        return matrix.rank_at(*at) < self.rank
+
+    def factors(self, branch: Branch, minor: Minor) -> list[tuple[Factor, int]]:
+        """The factors of a minor on a branch, with their powers."""
+        return [*factor(branch.ring, minor.value, self.problem.library).factors]
+
+    # -- cases -----------------------------------------------------------------------
+
+    def options(
+        self,
+        place: Place,
+        factors: Sequence[tuple[Factor, int]],
+        known: dict[str, list[Option]] | None = None,
+    ) -> list[list[Option]]:
+        """By factor, its solutions; none where it vanishes nowhere."""
+        found = []
+        for own, _ in factors:
+            if known is not None and own.key in known:
+                found.append(known[own.key])
+                continue
+            options = (
+                []
+                if self.vanishes_nowhere(place.branch, own)
+                else self.options_of(place, own)
+            )
+            if known is not None:
+                known[own.key] = options
+            found.append(options)
+        return found
+
+    def is_open(self, option: Option) -> bool:
+        """Whether work is left there."""
+        branch = option.place.branch
+        if option.impossible is not None:
+            return False
+        if not branch.points:
+            return True
+        if branch.is_special:
+            return False
+        everything = [
+            *self.problem.components,
+            *(equations for _, equations in self.finished),
+        ]
+        return not any(self.all_vanish(e, branch) for e in everything)
+
+    def cases(
+        self,
+        place: Place,
+        factors: Sequence[tuple[Factor, int]],
+        options: Sequence[Sequence[Option]],
+    ) -> tuple[Case, ...]:
+        """Every factor with what follows on it, simple ones first."""
+        order = sorted(
+            range(len(factors)),
+            key=lambda i: (
+                any(option.step is None for option in options[i]),
+                len(factors[i][0].equations[0]),
+            ),
+        )
+        paired = any(len(own.equations) > 1 for own, _ in factors)
+        return tuple(
+            self.case(place, *factors[i], options[i], paired=paired) for i in order
+        )
+
+    def case(
+        self,
+        place: Place,
+        own: Factor,
+        power: int,
+        options: Sequence[Option],
+        *,
+        paired: bool,
+    ) -> Case:
+        """One factor with what follows on it."""
+        branch = place.branch
+        ring = branch.ring
+        texts = tuple(text(ring, equation) for equation in own.equations)
+        case = Case(texts, power)
+        if not options:
+            if self.positive(branch, own):
+                return replace(case, end="positive")
+            divisor = self.in_divisor(branch, own)
+            if divisor is not None:
+                return replace(case, end="divisor", divisor=divisor)
+            angle, numbers = numbers_of(ring, own.equations[0])
+            return replace(case, end="unreal", angle=angle, numbers=numbers)
+        if self.is_of_dimensions(branch, own):
+            return replace(case, end="special")
+        if options[0].step is None:
+            return replace(case, kept=self.node(options[0].place))
+        sheets = list[Sheet]()
+        for option in options:
+            last = len(option.place.branch.steps) - 1
+            step = written_step(option.place.branch, last)
+            if step.kind == "numbers" and sheets:
+                continue
+            sheets.append(Sheet(step, self.on_sheet(option)))
+        return replace(case, sheets=tuple(sheets))
+
+    def on_sheet(self, option: Option) -> Node:
+        """The node of one solution."""
+        if option.impossible is None:
+            return self.node(option.place)
+        number = self.count
+        self.count += 1
+        index = option.place.number(option.impossible)
+        branch = option.place.branch
+        (value,), over = followed(branch, [option.place.conditions[index]])
+        written = text(branch.ring, value)
+        if not self.problem.signs.never_zero(read(written)):
+            raise NotProvedError("a condition that vanishes nowhere was not proved so")
+        return Node(number, impossible=index, impossible_value=written, over=over)
+
+
+def _leading(
+    ring: TrigonometricRing, value: Polynomial, index: int, degree: int
+) -> Polynomial:
+    """The coefficient of the highest power of a generator."""
+    terms = {
+        tuple(0 if i == index else e for i, e in enumerate(exponents)): coefficient
+        for exponents, coefficient in value.to_dict().items()
+        if exponents[index] == degree
+    }
+    return ring.context.from_dict(terms)
+
+
+def proof_of(problem: Problem) -> Node:
+    """A proof that nothing is missing from a list of components.
+
+    Raises:
+        NotProvedError: If none was found.
+    """
+    points = problem.root.points
+    if not points:
+        raise NotProvedError("the mechanism has no exact posture")
+    rank = max(problem.matrix.rank_at(*at) for at in points)
+    return _Search(problem, rank).node(Place(problem.root))

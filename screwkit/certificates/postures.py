@@ -1,0 +1,388 @@
+"""Random exact postures on the way to a node, rebuilt from the mechanism alone.
+
+Every posture is a point modulo a random prime.  The angles and symbols that the steps
+of a way leave free are drawn, the others follow; a condition that was not solved is met
+by a root.  At the posture the twists come from the kinematics over residues.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+from screwkit.algebra.common_root import common_root, interpolated
+from screwkit.algebra.constants import ConstantField
+from screwkit.algebra.dual_point import Dual, DualRing
+from screwkit.algebra.exact_point import (
+    PointRing,
+    Turn,
+    determinant_modulo,
+    random_residue,
+    random_turn,
+    roots_of,
+    turn_of,
+)
+from screwkit.algebra.expression import Expression, Number
+from screwkit.algebra.limits import RESULT_LIMITS
+from screwkit.algebra.modular import ResampleError, prime_for
+from screwkit.algebra.parse import parse
+from screwkit.algebra.rational_values import rational_value
+from screwkit.algebra.survey import SurveyRing
+from screwkit.certificates.records import Angles, Part, Step, Unsolved
+from screwkit.kinematics.placement import joint_twists
+from screwkit.mechanism.graph import limbs
+from screwkit.mechanism.joints import freedom_labels
+from screwkit.mechanism.model import Mechanism
+
+_ATTEMPTS = 60
+_DEGREE = 60
+
+
+class RefusedError(Exception):
+    """A certificate does not hold; the text says what."""
+
+
+@lru_cache(maxsize=20_000)
+def read(text: str) -> Expression:
+    """A text of a certificate as an expression; nothing is evaluated."""
+    return parse(text, limits=RESULT_LIMITS)
+
+
+@dataclass(frozen=True)
+class Way:
+    """What holds at a node: solved equations, and conditions that were not solved."""
+
+    steps: tuple[Step, ...] = ()
+    conditions: tuple[str, ...] = ()
+
+
+class Postures:
+    """Draws postures of one mechanism in the terms of one part of a certificate.
+
+    Args:
+        mechanism: As read.
+        part: Says which frame, which basis angles and which matrix.
+        source: Of randomness; whoever wrote the certificate must not know it.
+
+    Raises:
+        RefusedError: If the part does not fit the mechanism.
+    """
+
+    def __init__(self, mechanism: Mechanism, part: Part, source: random.Random) -> None:
+        self._mechanism = mechanism
+        self.part = part
+        self._source = source
+        self.limbs = _limbs(mechanism, part)
+        self._chain = [name for chain, _ in self.limbs for name in chain]
+        seen = SurveyRing()
+        joint_twists(mechanism, seen, part.origin, self._chain)
+        radicands = [r.value for r in seen.roots if isinstance(r, Number)]
+        self._field = ConstantField.needed_by(radicands, seen.turn)
+        roots = [*radicands, *map(Fraction, self._field.primes)]
+        self.prime = prime_for(seen.turn, roots, source.randrange(2**60))
+        wanted = {*seen.angles, *map(str, seen.constant_angles)}
+        self._declared = _declared(part.angles, wanted)
+        self.symbols = tuple(seen.symbols)
+
+    def on(self, way: Way, roots: Sequence[Unsolved] = ()) -> Iterator[PointRing]:
+        """Random postures that the steps of a way and some conditions admit.
+
+        Raises:
+            RefusedError: If none is found in many attempts.
+        """
+        for point in self.drawn_before(way, roots):
+            yield self.moved(point, way)
+
+    def drawn_before(
+        self, way: Way, roots: Sequence[Unsolved] = ()
+    ) -> Iterator[PointRing]:
+        """Random points whose images under `moved` are postures of the way.
+
+        Raises:
+            RefusedError: If none is found in many attempts.
+        """
+        while True:
+            for _ in range(_ATTEMPTS):
+                try:
+                    point = self._met(self._drawn(), roots)
+                    # Where the roots in the geometry exist all others do, too.
+                    self.twists(self.moved(point, way))
+                except (ResampleError, ZeroDivisionError):
+                    continue
+                yield point
+                break
+            else:
+                raise RefusedError("no exact posture was found where one is claimed")
+
+    def turn(self) -> Turn:
+        """A random point of the circle."""
+        return random_turn(self._source, self.prime)
+
+    def solved(
+        self, rows: Sequence[Sequence[Any]], values: Sequence[Any]
+    ) -> tuple[Any, ...]:
+        """The solution of a regular system of linear equations (Cramer's rule)."""
+        whole = determinant_modulo(rows, self.prime)
+        if whole == 0:
+            raise ResampleError
+        return tuple(
+            determinant_modulo(
+                [
+                    [*row[:k], value, *row[k + 1 :]]
+                    for row, value in zip(rows, values, strict=True)
+                ],
+                self.prime,
+            )
+            / whole
+            for k in range(len(values))
+        )
+
+    def _drawn(self) -> PointRing:
+        p, source = self.prime, self._source
+        return PointRing(
+            p,
+            self._field,
+            self._declared,
+            [random_turn(source, p) for _ in self.part.angles],
+            {name: random_residue(source, p) for name in self.symbols},
+        )
+
+    def moved(self, point: PointRing, way: Way) -> PointRing:
+        """The posture of a way with the values of a point where it leaves them free."""
+        for step in reversed(way.steps):
+            point = self._stepped(point, step)
+        return point
+
+    def _stepped(self, point: PointRing, step: Step) -> PointRing:
+        if step.kind == "numbers":
+            return point.changed(step.angle, self._numbers_turn(point, step.numbers))
+        over = point.value(read(step.over))
+        if over == 0:
+            raise ResampleError
+        if step.kind == "symbol":
+            value = point.value(read(step.value)) / over
+            return point.changed(numbers={step.symbol: value})
+        turn = (
+            point.value(read(step.cosine)) / over,
+            point.value(read(step.sine)) / over,
+        )
+        return point.changed(step.angle, turn)
+
+    def _numbers_turn(self, point: PointRing, numbers: Sequence[str]) -> Turn:
+        """A random one of the two solutions of a·sin φ + b·cos φ + c = 0."""
+        a, b, c = (point.rational(fraction(text)) for text in numbers)
+        # In the tangent t of half the angle: 2at + b(1 − t²) + c(1 + t²) = 0.
+        found = roots_of([int(b + c), int(2 * a), int(c - b)], self.prime)
+        turns = [turn_of(point.rational(Fraction(t))) for t in found]
+        if c == b:
+            turns.append((-point.one, point.zero))
+        chosen = self._source.choice(turns) if turns else None
+        if chosen is None:
+            raise ResampleError
+        return chosen
+
+    def _met(self, point: PointRing, roots: Sequence[Unsolved]) -> PointRing:
+        for unsolved in roots:
+            if unsolved.degree > _DEGREE:
+                raise RefusedError(f"{unsolved.equation} = 0 has too high a degree")
+            if unsolved.beside is None:
+                point = self._on_root(point, unsolved)
+            else:
+                point = self._on_both(point, unsolved, unsolved.beside)
+        return point
+
+    def _on_root(self, point: PointRing, unsolved: Unsolved) -> PointRing:
+        """The point moved along one angle or symbol to where an equation holds."""
+        own = self._restricted(
+            point, unsolved, read(unsolved.equation), unsolved.degree
+        )
+        if not any(own):
+            return point
+        found = roots_of(own, self.prime)
+        if not found:
+            raise ResampleError
+        return _placed(point, unsolved, self._source.choice(found))
+
+    def _on_both(self, point: PointRing, one: Unsolved, two: Unsolved) -> PointRing:
+        """The point moved along two angles or symbols to where two equations hold."""
+        if len(one.across) != 2:
+            raise RefusedError("two conditions without their degrees")
+        first, second = read(one.equation), read(two.equation)
+        crossed, back = one.across
+
+        def restricted(value: int) -> tuple[list[int], list[int]] | None:
+            try:
+                moved = _placed(point, one, value)
+                below = 1 + value * value if one.angle >= 0 else 1
+                return (
+                    _times(
+                        self._restricted(moved, two, first, crossed), below, one.degree
+                    ),
+                    _times(
+                        self._restricted(moved, two, second, two.degree), below, back
+                    ),
+                )
+            except ResampleError:
+                return None
+
+        sizes = 2 if one.angle >= 0 else 1, 2 if two.angle >= 0 else 1
+        bound = sizes[0] * sizes[1] * (one.degree * two.degree + back * crossed)
+        found = common_root(restricted, bound, self._source, self.prime)
+        if found is None:
+            raise ResampleError
+        return _placed(_placed(point, one, found[0]), two, found[1])
+
+    def _restricted(
+        self, point: PointRing, unsolved: Unsolved, equation: Expression, degree: int
+    ) -> list[int]:
+        """Coefficients of an equation in the unknown, or in the tangent of its half."""
+        values, places = list[int](), list[int]()
+        place, turning = 0, unsolved.angle >= 0
+        while len(places) <= (2 * degree if turning else degree):
+            place += 1
+            value = _placed(point, unsolved, place).value(equation)
+            if turning:
+                value = value * point.rational(Fraction(1 + place * place)) ** degree
+            values.append(int(value))
+            places.append(place)
+        return interpolated(places, values, self.prime)
+
+    def changes(
+        self, point: PointRing, way: Way, texts: Sequence[str]
+    ) -> list[list[int]]:
+        """How symbols or expressions change with everything that a way leaves free.
+
+        Args:
+            point: From `drawn_before`.
+            way: Its steps are followed.
+            texts: Of the expressions.
+        """
+        directions = [*range(len(point.turns)), *point.numbers]
+        rows = []
+        for direction in directions:
+            ring = DualRing.along(point, self._declared, direction)
+            for step in reversed(way.steps):
+                self._follow(ring, step)
+            rows.append([int(ring.of(read(text)).change) for text in texts])
+        return rows
+
+    def _follow(self, ring: DualRing, step: Step) -> None:
+        if step.kind == "numbers":
+            cosine, sine = (
+                Dual(x.value, x.value - x.value) for x in ring.turns[step.angle]
+            )
+            ring.turns[step.angle] = cosine, sine
+            return
+        over = ring.of(read(step.over))
+        if step.kind == "symbol":
+            ring.numbers[step.symbol] = ring.of(read(step.value)).over(over)
+        else:
+            cosine = ring.of(read(step.cosine)).over(over)
+            ring.turns[step.angle] = cosine, ring.of(read(step.sine)).over(over)
+
+    def twists(self, point: PointRing) -> Mapping[str, tuple[Any, ...]]:
+        """The twists at a posture, by freedom, times their scales."""
+        part = self.part
+        found = joint_twists(self._mechanism, point, part.origin, self._chain)
+        scales = part.scales or {}
+        twists = {}
+        for label, twist in found.items():
+            values = twist.coordinates
+            if label in scales:
+                factor = point.value(read(scales[label]))
+                if factor == 0:
+                    raise ResampleError
+                values = tuple(factor * x for x in values)
+            twists[label] = tuple(values)
+        return twists
+
+
+def _placed(point: PointRing, unsolved: Unsolved, place: int) -> PointRing:
+    """The point with another value of a symbol, or of the tangent of half an angle."""
+    value = point.rational(Fraction(place))
+    if unsolved.angle < 0:
+        if unsolved.symbol not in point.numbers:
+            raise RefusedError(f"there is no symbol {unsolved.symbol!r}")
+        return point.changed(numbers={unsolved.symbol: value})
+    turn = turn_of(value)
+    if turn is None:
+        raise ResampleError
+    return point.changed(unsolved.angle, turn)
+
+
+def _times(coefficients: Sequence[int], factor: int, power: int) -> list[int]:
+    return [value * factor**power for value in coefficients]
+
+
+def fraction(text: str) -> Fraction:
+    """A rational number.
+
+    Raises:
+        RefusedError: If the text is none.
+    """
+    value = rational_value(read(text))
+    if value is None:
+        raise RefusedError(f"{text!r} is no rational number")
+    return value
+
+
+def _limbs(
+    mechanism: Mechanism, part: Part
+) -> tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]:
+    """The joints and the freedoms of the limbs that the part speaks of."""
+    joints = {joint.name: joint for joint in mechanism.joints}
+    found = []
+    for limb in limbs(mechanism):
+        if part.question == "limb" and limb.name != part.limb:
+            continue
+        if limb.path is None:
+            raise RefusedError(f"limb {limb.name!r} is no serial chain")
+        chain = tuple(name for name, _ in limb.path)
+        labels = tuple(
+            label
+            for name in chain
+            for label in freedom_labels(joints[name], mechanism.space)
+        )
+        found.append((chain, labels))
+    if not found:
+        raise RefusedError(f"there is no limb {part.limb!r}")
+    return tuple(found)
+
+
+def _declared(angles: Angles, wanted: set[str]) -> dict[str, dict[int, int]]:
+    """Each declared angle as a combination of basis angles: the forms turned round.
+
+    Raises:
+        RefusedError: If the forms are no unimodular basis of the angles.
+    """
+    names = sorted({name for form in angles for name in form})
+    if set(names) != wanted or len(names) != len(angles):
+        raise RefusedError("the basis angles are not those of the mechanism")
+    size = len(names)
+    rows = [
+        [Fraction(form.get(name, 0)) for name in names]
+        + [Fraction(int(i == j)) for j in range(size)]
+        for i, form in enumerate(angles)
+    ]
+    for pivot in range(size):
+        chosen = next((r for r in range(pivot, size) if rows[r][pivot]), None)
+        if chosen is None:
+            raise RefusedError("the basis angles depend on each other")
+        rows[pivot], rows[chosen] = rows[chosen], rows[pivot]
+        rows[pivot] = [value / rows[pivot][pivot] for value in rows[pivot]]
+        for r in range(size):
+            if r != pivot and rows[r][pivot]:
+                times = rows[r][pivot]
+                rows[r] = [
+                    a - times * b for a, b in zip(rows[r], rows[pivot], strict=True)
+                ]
+    found = {}
+    for name, row in zip(names, rows, strict=True):
+        if any(value.denominator != 1 for value in row[size:]):
+            raise RefusedError("the basis angles are not unimodular")
+        found[name] = {i: int(v) for i, v in enumerate(row[size:]) if v}
+    return found

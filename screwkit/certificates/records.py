@@ -1,0 +1,256 @@
+"""A certificate: what is claimed about singular loci, and the tree that proves it.
+
+The claim of a part is about one matrix of screws: its generic rank, and the components
+on which it falls (for actuation: on which the platform moves).  The proof is a tree of
+case distinctions.  A node stands for the postures that satisfy everything on the way to
+it.  It says that a minor is a product there, so that the rank can fall only where a
+factor vanishes; each factor is a case, which ends or leads to further nodes.
+
+All polynomials are texts of the expression grammar.
+
+References: docs/decisions/0019-certificates.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TypeAlias
+
+Angles: TypeAlias = tuple[Mapping[str, int], ...]
+"""Basis angles, each an integer combination of declared angles."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """An equation solved: the values of some generators by those that are left.
+
+    Attributes:
+        kind: ``angle``: P·sin φ + Q·cos φ = 0, one of two opposite values of φ;
+            ``pair``: two equations linear in sin φ and cos φ; ``numbers``:
+            a·sin φ + b·cos φ + c = 0 in rational numbers; ``symbol``: A·x + B = 0.
+        angle: Number of the basis angle φ.
+        symbol: Name of x.
+        sine, cosine: Times ``over``; of ``angle`` and ``pair``.
+        value: Of x, times ``over``.
+        over: What the values are divided by; vanishes nowhere.
+        numbers: (a, b, c) as texts.
+        never: Where ``over`` may vanish though not together with ``value``: the steps
+            that solve ``over`` = 0.
+    """
+
+    kind: str
+    angle: int = -1
+    symbol: str = ""
+    sine: str = ""
+    cosine: str = ""
+    value: str = ""
+    over: str = "1"
+    numbers: tuple[str, ...] = ()
+    never: tuple[Step, ...] = ()
+
+
+@dataclass(frozen=True)
+class Multiple:
+    """Why an equation of a component holds at a node: it is a multiple of a condition.
+
+    Attributes:
+        equation: Number of the equation of the component.
+        condition: Number of the unsolved condition on the way to the node.
+        times: What the condition is multiplied with.
+        over: By number of a solved step: powers of its divisor on the other side.
+    """
+
+    equation: int
+    condition: int
+    times: str
+    over: Mapping[str, int]
+
+
+@dataclass(frozen=True)
+class Unsolved:
+    """A condition that is met by a root: in a basis angle or in a symbol.
+
+    Attributes:
+        equation: Its left side.
+        angle: Number of the basis angle, or −1.
+        symbol: Name of the symbol, where there is no angle.
+        degree: In the symbol, or in sine and cosine of the angle.
+        beside: A second condition that shares both unknowns; its own is another one.
+        across: Degree of this condition in the unknown of the second one, and of the
+            second one in the unknown of this.
+    """
+
+    equation: str
+    angle: int = -1
+    symbol: str = ""
+    degree: int = 1
+    beside: Unsolved | None = None
+    across: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """One solution of a case and what follows on it."""
+
+    step: Step
+    node: Node
+
+
+@dataclass(frozen=True)
+class Case:
+    """One factor of a node's polynomial.
+
+    Attributes:
+        equations: The factor vanishes where all of them do: one polynomial, or two
+            that are a half-angle form times the sine and the cosine of half an angle.
+        power: Of the factor in the product; half-angle factors count squares.
+        end: Why nothing follows: ``positive`` (the signs of its terms), ``unreal``
+            (no real solution), ``special`` (it ties the dimensions of the mechanism to
+            each other), ``divisor`` (it divides what a step has divided by); empty if
+            something does.
+        divisor: Of which step, and what else is in it: `Multiple` with the number of
+            the step as its equation.
+        numbers: (a, b, c) of an unreal a·sin φ + b·cos φ + c = 0.
+        angle: Its basis angle.
+        sheets: What follows where the case is solved.
+        kept: What follows where it is not, with the equation as a condition.
+    """
+
+    equations: tuple[str, ...]
+    power: int
+    end: str = ""
+    numbers: tuple[str, ...] = ()
+    angle: int = -1
+    divisor: Multiple | None = None
+    sheets: tuple[Sheet, ...] = ()
+    kept: Node | None = None
+
+
+@dataclass(frozen=True)
+class Node:
+    """The postures on the way to it, and why the locus is no larger there.
+
+    Attributes:
+        number: In the order in which nodes are met.
+        component: All of them lie on this component.
+        multiples: Why, for equations that do not vanish by the solved steps alone.
+        earlier: All of them belong to this node, which was finished before.
+        axis: Nothing is there, because the axis of this freedom has no direction.
+        special: The dimensions of the mechanism are tied to each other there.
+        roots: How its unsolved conditions are met, where postures on them are needed.
+        impossible: A condition that cannot hold here, by the signs of its terms.
+        impossible_value: What the condition is here, up to divisors of steps.
+        rank: Of the matrix in general on the node.
+        rows, columns: Of the minor that is a product: rows of the matrix from 0, and
+            freedoms.
+        condition: The unsolved condition that is a product here, instead of a minor.
+        combination: Multiples of unsolved conditions whose sum is a product here.
+        over: By number of a solved step: powers of its divisor on the minor's side.
+        cases: The factors of the product.
+    """
+
+    number: int
+    component: int = -1
+    multiples: tuple[Multiple, ...] = ()
+    earlier: int = -1
+    axis: str = ""
+    special: bool = False
+    roots: tuple[Unsolved, ...] = ()
+    impossible: int = -1
+    impossible_value: str = ""
+    rank: int = -1
+    rows: tuple[int, ...] = ()
+    columns: tuple[str, ...] = ()
+    condition: int = -1
+    combination: tuple[Multiple, ...] = ()
+    over: Mapping[str, int] | None = None
+    cases: tuple[Case, ...] = ()
+
+
+@dataclass(frozen=True)
+class Reach:
+    """How points of a component are found: solved steps, then roots in this order."""
+
+    steps: tuple[Step, ...]
+    roots: tuple[Unsolved, ...] = ()
+
+
+@dataclass(frozen=True)
+class Locus:
+    """A component.
+
+    Attributes:
+        equations: It is where all of them vanish.
+        rank: Of the matrix, generic on the component.
+        freedom: Of the platform there, with the actuated joints locked; −1 for limbs.
+        reach: Its sheets.
+    """
+
+    equations: tuple[str, ...]
+    rank: int
+    freedom: int
+    reach: tuple[Reach, ...]
+
+
+@dataclass(frozen=True)
+class Part:
+    """What is claimed about one matrix.
+
+    Attributes:
+        question: ``limb``, ``constraint`` or ``actuation``.
+        limb: Name of the limb.
+        locked: Freedoms that are held.
+        origin: The link whose frame the twists are taken in.
+        angles: The basis angles.
+        scales: By freedom: what its twist is multiplied with to clear divisors.
+        rank: Generic rank of the matrix.
+        components: Where the rank falls; of ``actuation``: where the platform moves.
+        idle: Of ``actuation``: where only limbs move.
+        proof: That there is no other component; None if none was found.
+        reason: Why there is no proof.
+    """
+
+    question: str
+    origin: str
+    angles: Angles
+    rank: int
+    components: tuple[Locus, ...]
+    limb: str = ""
+    locked: tuple[str, ...] = ()
+    scales: Mapping[str, str] | None = None
+    idle: tuple[Locus, ...] = ()
+    proof: Node | None = None
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class Source:
+    """The mechanism as it was read.
+
+    Attributes:
+        text: Of the file.
+        json: Whether the file is JSON, not YAML.
+        variant: Of the file.
+        set_values: Numbers that replace symbols.
+        at: Values of joint variables.
+        actuated: In place of the declared scheme.
+    """
+
+    text: str
+    json: bool = False
+    variant: str | None = None
+    set_values: Mapping[str, str] | None = None
+    at: Mapping[str, str] | None = None
+    actuated: tuple[str, ...] | None = None
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """Claims about the singularities of one mechanism, with their proofs."""
+
+    schema: str
+    case: str
+    version: str
+    mechanism: Source
+    parts: tuple[Part, ...]

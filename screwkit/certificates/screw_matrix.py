@@ -1,0 +1,86 @@
+"""The matrix of a part at a posture, from the mechanism: twists, ranks, minors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from screwkit.algebra.exact_point import PointRing, determinant_modulo
+from screwkit.algebra.modular import rank
+from screwkit.certificates.postures import Postures
+
+
+class ScrewMatrix:
+    """The columns that a part of a certificate speaks of.
+
+    Args:
+        postures: Of the mechanism and the part.
+    """
+
+    def __init__(self, postures: Postures) -> None:
+        self._postures = postures
+        self._part = postures.part
+        self.limbs = postures.limbs
+        self.prime = postures.prime
+
+    def twists(self, point: PointRing) -> Mapping[str, tuple[Any, ...]]:
+        """The twists at a posture, by freedom, times their scales."""
+        return self._postures.twists(point)
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The freedoms that are columns of the matrix, limb by limb."""
+        locked = set(self._part.locked)
+        return tuple(x for _, own in self.limbs for x in own if x not in locked)
+
+    def matrix(self, point: PointRing) -> dict[str, list[Any]]:
+        """The columns of the part's matrix, by freedom.
+
+        Of a limb: its twists.  Else of the loop constraint matrix
+        [T1 T2 0 …; T1 0 T3 …], without the locked freedoms.
+        """
+        twists = self.twists(point)
+        if self._part.question == "limb":
+            return {label: list(twists[label]) for label in self.columns}
+        loops = len(self.limbs) - 1
+        locked, zero = set(self._part.locked), [point.zero] * 6
+        columns = {}
+        for number, (_, labels) in enumerate(self.limbs):
+            for label in labels:
+                if label in locked:
+                    continue
+                own = list(twists[label])
+                columns[label] = [
+                    entry
+                    for loop in range(loops)
+                    for entry in (own if number in (0, loop + 1) else zero)
+                ]
+        return columns
+
+    def rank_of(self, rows: Sequence[Sequence[int]]) -> int:
+        """Of a matrix of residues."""
+        return rank(rows, self.prime)
+
+    def rank(self, point: PointRing) -> int:
+        """Of the matrix at a posture."""
+        return rank(list(self.matrix(point).values()), self.prime)
+
+    def freedom(self, point: PointRing) -> int:
+        """Dimension of the platform's twists at a posture, locked freedoms held.
+
+        The kernel of the matrix without the motions in which the limbs alone move.
+        """
+        twists, locked = self.twists(point), set(self._part.locked)
+        own = [
+            rank([twists[x] for x in labels if x not in locked], self.prime)
+            for _, labels in self.limbs
+        ]
+        return sum(own) - self.rank(point)
+
+    def minor(
+        self, point: PointRing, rows: Sequence[int], columns: Sequence[str]
+    ) -> Any:
+        """A minor of the matrix at a posture."""
+        matrix = self.matrix(point)
+        chosen = [[matrix[name][row] for row in rows] for name in columns]
+        return determinant_modulo(chosen, self.prime)

@@ -1,0 +1,111 @@
+"""Expressions that vanish nowhere, by the signs of their terms alone.
+
+A sum whose terms have one sign, one of them never zero, is never zero; even powers and
+roots are never negative.  No proof is found for anything cleverer.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection
+from dataclasses import dataclass
+from fractions import Fraction
+
+from screwkit.algebra.expression import (
+    Call,
+    Expression,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+)
+
+
+@dataclass(frozen=True)
+class Signs:
+    """What is taken for granted about symbols.
+
+    Attributes:
+        positive: Symbols that are > 0.
+        nonzero: Symbols that are not 0.
+    """
+
+    positive: Collection[str]
+    nonzero: Collection[str]
+
+    def never_zero(self, expression: Expression) -> bool:
+        """Whether a proof was found that the expression vanishes at no real values."""
+        terms = [_factors(term) for term in _terms(expression)]
+        common = terms[0][1]
+        for _, factors in terms[1:]:
+            common = common & factors
+        if not all(self._of_atom(atom)[1] for atom in common):
+            return False
+        return self._sum([(number, own - common) for number, own in terms])[1]
+
+    def _of_atom(self, atom: Expression) -> tuple[int, bool]:
+        """(1 for ≥ 0, −1 for ≤ 0, 0 for unknown; whether it is never 0)."""
+        match atom:
+            case Symbol(name):
+                if name in self.positive:
+                    return 1, True
+                return 0, name in self.nonzero
+            case Pi():
+                return 1, True
+            case Call("sqrt", (radicand,)):
+                return 1, self._of(radicand) == (1, True)
+            case Call("cos", (Product((Number(turn), Pi())),)) if abs(turn) < Fraction(
+                1, 2
+            ):
+                return 1, True
+            case Sum():
+                return self._of(atom)
+            case _:
+                return 0, False
+
+    def _of(self, expression: Expression) -> tuple[int, bool]:
+        return self._sum([_factors(term) for term in _terms(expression)])
+
+    def _sum(
+        self, terms: list[tuple[Fraction, Counter[Expression]]]
+    ) -> tuple[int, bool]:
+        total: tuple[int, bool] | None = None
+        for number, factors in terms:
+            if not number:
+                continue
+            sign, never = (1 if number > 0 else -1), True
+            for atom, power in factors.items():
+                own, strict = self._of_atom(atom)
+                sign *= own if power % 2 else 1
+                never = never and strict
+            if total is None:
+                total = sign, never
+            elif not sign or sign != total[0]:
+                return 0, False
+            else:
+                total = sign, total[1] or never
+        return total or (0, False)
+
+
+def _terms(expression: Expression) -> tuple[Expression, ...]:
+    return expression.terms if isinstance(expression, Sum) else (expression,)
+
+
+def _factors(term: Expression) -> tuple[Fraction, Counter[Expression]]:
+    """The number of a term and the powers of everything else in it."""
+    number, found = Fraction(1), Counter[Expression]()
+    waiting = [(term, 1)]
+    while waiting:
+        factor, power = waiting.pop()
+        match factor:
+            case Number(value):
+                number *= value**power
+            case Product(factors):
+                waiting += [(inner, power) for inner in factors]
+            case Power(base, exponent) if exponent > 0:
+                waiting.append((base, power * exponent))
+            case _:
+                found[factor] += power
+    return number, found

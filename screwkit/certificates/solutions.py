@@ -1,0 +1,188 @@
+"""Whether the solutions that a certificate gives of a case are all there are.
+
+Four rules, each checked by values at random points: an angle up to its opposite, an
+angle by two linear equations, an angle in numbers, a symbol.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import islice
+from typing import Any
+
+from screwkit.algebra.exact_point import PointRing, Turn
+from screwkit.algebra.expression import Expression
+from screwkit.certificates.postures import Postures, RefusedError, Way, fraction, read
+from screwkit.certificates.records import Case, Step
+from screwkit.certificates.signs import Signs
+
+POINTS = 3
+"""Postures at which an identity is compared."""
+
+
+class Solutions:
+    """The rules by which cases are solved.
+
+    Args:
+        postures: Of the mechanism.
+        signs: Of its symbols.
+    """
+
+    def __init__(self, postures: Postures, signs: Signs) -> None:
+        self._postures = postures
+        self._signs = signs
+
+    def solved(self, case: Case, steps: Sequence[Step], way: Way) -> None:
+        """Whether the steps are all solutions of the case."""
+        kinds = {step.kind for step in steps}
+        if kinds == {"angle"} and len(steps) == 2 and len(case.equations) == 1:
+            self._two_turns(case, steps, way)
+        elif len(steps) != 1:
+            raise RefusedError("the sheets of a case are not all its solutions")
+        elif kinds == {"numbers"} and len(case.equations) == 1:
+            step = steps[0]
+            self.numbers(case, step.angle, step.numbers, way)
+        elif kinds == {"pair"} and len(case.equations) == 2:
+            self._pair(case, steps[0], way)
+        elif kinds == {"symbol"} and len(case.equations) == 1:
+            self._symbol(read(case.equations[0]), steps[0], way)
+        else:
+            raise RefusedError("a case is not solved by any rule")
+
+    def _linear(
+        self, equation: Expression, angle: int, point: PointRing, way: Way
+    ) -> tuple[Any, Any, Any]:
+        """(P, Q, R) with equation = P·sin φ + Q·cos φ + R for every φ.
+
+        Raises:
+            RefusedError: If it is not of that form.
+        """
+        if not 0 <= angle < len(point.turns):
+            raise RefusedError(f"there is no basis angle {angle}")
+
+        def at(turn: Turn) -> Any:
+            turned = point.changed(angle, turn)
+            return _value(equation, self._postures.moved(turned, way))
+
+        turns = [self._postures.turn() for _ in range(5)]
+        rows = [(sine, cosine, point.one) for cosine, sine in turns]
+        values = [at(turn) for turn in turns]
+        p, q, r = self._postures.solved(rows[:3], values[:3])
+        for (s, c, _), value in zip(rows[3:], values[3:], strict=True):
+            if value != p * s + q * c + r:
+                raise RefusedError("an equation is not linear in sine and cosine")
+        return p, q, r
+
+    def _at(self, way: Way) -> Iterator[PointRing]:
+        return islice(self._postures.drawn_before(Way(way.steps)), POINTS)
+
+    def _two_turns(self, case: Case, steps: Sequence[Step], way: Way) -> None:
+        """P·sin φ + Q·cos φ = 0 with constant P² + Q²: two opposite turns."""
+        first, second = steps
+        if first.angle != second.angle:
+            raise RefusedError("the sheets of a case turn different angles")
+        squares = set()
+        for point in self._at(way):
+            p, q, r = self._linear(read(case.equations[0]), first.angle, point, way)
+            squares.add(int(p * p + q * q))
+            sines = [point.value(read(step.sine)) for step in steps]
+            cosines = [point.value(read(step.cosine)) for step in steps]
+            s, c = sines[0], cosines[0]
+            if (
+                r != 0
+                or s * s + c * c != 1
+                or p * s + q * c != 0
+                or sines[1] != -s
+                or cosines[1] != -c
+                or {step.over for step in steps} != {"1"}
+            ):
+                raise RefusedError(f"{case.equations[0]} = 0 is solved otherwise")
+        if len(squares) > 1 or squares == {0}:
+            raise RefusedError(f"{case.equations[0]} = 0 may say nothing of an angle")
+
+    def numbers(
+        self, case: Case, angle: int, numbers: Sequence[str], way: Way
+    ) -> tuple[Fraction, Fraction, Fraction]:
+        """a·sin φ + b·cos φ + c = 0 in numbers, up to a number."""
+        if len(numbers) != 3:
+            raise RefusedError("three numbers are needed")
+        a, b, c = map(fraction, numbers)
+        if not a and not b:
+            raise RefusedError("the equation says nothing of an angle")
+        for point in self._at(way):
+            found = self._linear(read(case.equations[0]), angle, point, way)
+            given = [point.rational(value) for value in (a, b, c)]
+            pairs = ((0, 1), (0, 2), (1, 2))
+            if not any(found) or any(
+                found[i] * given[j] != found[j] * given[i] for i, j in pairs
+            ):
+                raise RefusedError(f"{case.equations[0]} has other numbers")
+        return a, b, c
+
+    def _pair(self, case: Case, step: Step, way: Way) -> None:
+        """Two equations linear in sine and cosine with a determinant never zero."""
+        if not self._signs.never_zero(read(step.over)):
+            raise RefusedError(f"{step.over} may vanish")
+        for point in self._at(way):
+            rows = [
+                self._linear(read(text), step.angle, point, way)
+                for text in case.equations
+            ]
+            (p, q, r), (u, v, w) = rows
+            over = point.value(read(step.over))
+            s, c = point.value(read(step.sine)), point.value(read(step.cosine))
+            if (
+                p * v - q * u != over
+                or p * s + q * c + r * over != 0
+                or u * s + v * c + w * over != 0
+                or s * s + c * c != over * over
+            ):
+                raise RefusedError(f"{case.equations[0]} = 0 is solved otherwise")
+
+    def _symbol(self, equation: Expression, step: Step, way: Way) -> None:
+        """A·x + B = 0 where A and B have no common zero."""
+        for point in self._at(way):
+            if step.symbol not in point.numbers:
+                raise RefusedError(f"there is no symbol {step.symbol!r}")
+
+            def at(value: Any, point: PointRing = point) -> Any:
+                moved = point.changed(numbers={step.symbol: value})
+                return _value(equation, self._postures.moved(moved, way))
+
+            x = point.symbol(step.symbol)
+            y = x + point.one
+            a = at(y) - at(x)
+            b = at(x) - a * x
+            if at(x + y) != a * (x + y) + b or at(x * y) != a * x * y + b:
+                raise RefusedError(f"an equation is not linear in {step.symbol}")
+            if a * point.value(read(step.value)) + b * point.value(read(step.over)):
+                raise RefusedError(f"an equation is solved otherwise for {step.symbol}")
+            if a == 0 or point.value(read(step.over)) == 0:
+                raise RefusedError(f"an equation does not determine {step.symbol}")
+            if a != point.value(read(step.over)):
+                raise RefusedError(f"{step.over} is not what is divided by")
+        if self._signs.never_zero(read(step.over)):
+            return
+        self._never_both(step, way)
+
+    def _never_both(self, step: Step, way: Way) -> None:
+        """Wherever the divisor vanishes the numerator does not."""
+        if not step.never:
+            raise RefusedError(f"{step.over} may vanish")
+        self.solved(Case((step.over,), 1), step.never, way)
+        for solved in step.never:
+            # Of the numerator on the sheet a text with signs is given as its value.
+            value = read(solved.value)
+            if not self._signs.never_zero(value):
+                raise RefusedError(f"{step.value} may vanish together with {step.over}")
+            sheet = replace(solved, value="")
+            there = replace(way, steps=(*way.steps, sheet))
+            for point in islice(self._postures.on(Way(there.steps)), POINTS):
+                if _value(read(step.value), point) != _value(value, point):
+                    raise RefusedError(f"{step.value} has another value there")
+
+
+def _value(expression: Expression, point: PointRing) -> Any:
+    return point.value(expression)

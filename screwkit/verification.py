@@ -1,0 +1,151 @@
+"""Certificates asked for and checked: files in, answers out."""
+
+from __future__ import annotations
+
+import secrets
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from screwkit.errors import MechanismFileError, ScrewkitError
+from screwkit.progress import Progress, silent
+from screwkit.results.singularities import Singularities
+from screwkit.results.verification import Verification, VerifiedPart
+
+if TYPE_CHECKING:
+    from screwkit.case import Case
+    from screwkit.certificates.records import Certificate, Node, Source
+
+
+class CertificateError(ScrewkitError):
+    """A file is no certificate."""
+
+
+def certificate_of(
+    case: Case, answer: Singularities, progress: Progress = silent
+) -> str:
+    """The certificate of an answer of `singularities`, as the text of its document.
+
+    Args:
+        case: As loaded from a file.
+        answer: Of this case.
+        progress: Told about each part.
+
+    Raises:
+        CertificateError: If the case was not read from a file.
+    """
+    from screwkit.certificates.certification import certified  # noqa: PLC0415
+    from screwkit.certificates.written import to_text  # noqa: PLC0415
+    from screwkit.reports.records import version  # noqa: PLC0415
+
+    source = _source(case)
+    return to_text(certified(case.assembly, answer, source, version(), progress))
+
+
+def _source(case: Case) -> Source:
+    from screwkit.certificates.records import Source  # noqa: PLC0415
+
+    if case.path is None:
+        raise CertificateError("a certificate carries a mechanism file; there is none")
+    given = case.given
+    return Source(
+        case.path.read_text(encoding="utf-8-sig"),
+        case.path.suffix.lower() == ".json",
+        given.variant,
+        {name: str(value) for name, value in given.set_values.items()} or None,
+        {name: str(value) for name, value in given.at.items()} or None,
+        None if given.actuated is None else tuple(given.actuated),
+    )
+
+
+def verify(
+    loaded: Any, certificate: str, case: str | None = None, progress: Progress = silent
+) -> Verification:
+    """Check a certificate again, from the mechanism alone.
+
+    Args:
+        loaded: Not used; `verify` reads its files itself.
+        certificate: Its file.
+        case: A mechanism file that must be the one the certificate speaks of.
+        progress: Told about the stages.
+
+    Raises:
+        CertificateError: If the file is no certificate.
+        MechanismFileError: If the mechanism that it carries, or ``case``, is wrong.
+    """
+    from screwkit.case import load, load_text  # noqa: PLC0415
+    from screwkit.certificates.checking import check  # noqa: PLC0415
+    from screwkit.certificates.postures import RefusedError  # noqa: PLC0415
+
+    progress("reading the certificate", "")
+    document = _read(Path(certificate))
+    changes = _changes(document.mechanism)
+    try:
+        carried = load_text(
+            document.mechanism.text, document.mechanism.json, **changes
+        ).mechanism
+    except (MechanismFileError, ScrewkitError) as error:
+        reason = f"the mechanism in it cannot be read: {error}"
+        return Verification(document.case, "", False, (), reason)
+    if case is not None and load(case, **changes).mechanism != carried:
+        reason = f"it is about another mechanism than {case}"
+        return Verification(document.case, carried.title, False, (), reason)
+    progress("checking", f"{len(document.parts)} parts")
+    try:
+        check(document, carried, secrets.randbits(64))
+    except (RefusedError, ScrewkitError) as refusal:
+        return Verification(document.case, carried.title, False, (), str(refusal))
+    return Verification(document.case, carried.title, True, _parts(document))
+
+
+def _read(path: Path) -> Certificate:
+    from screwkit.certificates.written import (  # noqa: PLC0415
+        LARGEST,
+        MalformedError,
+        from_text,
+    )
+
+    try:
+        with path.open("rb") as stream:
+            content = stream.read(LARGEST + 1)
+        if len(content) > LARGEST:
+            raise CertificateError(f"{path}: larger than {LARGEST} bytes")
+        return from_text(content.decode("utf-8"))
+    except UnicodeDecodeError:
+        raise CertificateError(f"{path}: no certificate: it is no UTF-8 text") from None
+    except OSError as error:
+        said = error.strerror or "cannot be read"
+        raise CertificateError(f"{path}: {said}") from None
+    except MalformedError as error:
+        raise CertificateError(f"{path}: no certificate: {error}") from None
+
+
+def _changes(source: Source) -> dict[str, Any]:
+    return {
+        "variant": source.variant,
+        "set_values": dict(source.set_values or {}),
+        "at": dict(source.at or {}),
+        "actuated": source.actuated,
+    }
+
+
+def _parts(document: Certificate) -> tuple[VerifiedPart, ...]:
+    from screwkit.certificates.checking import name_of  # noqa: PLC0415
+
+    return tuple(
+        VerifiedPart(
+            name_of(part),
+            part.proof is not None,
+            len(part.components),
+            0 if part.proof is None else _nodes(part.proof),
+            part.reason,
+        )
+        for part in document.parts
+    )
+
+
+def _nodes(node: Node) -> int:
+    below = 0
+    for case in node.cases:
+        below += sum(_nodes(sheet.node) for sheet in case.sheets)
+        below += 0 if case.kept is None else _nodes(case.kept)
+    return 1 + below
