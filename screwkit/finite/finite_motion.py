@@ -232,6 +232,8 @@ def _settled(
                 singular_dimension(forest, stance.take(left[[i]]), own[i], random)
                 for i in alike[WITNESSES:]
             ]
+        if len({count for count in counts if count is not None}) > 1:
+            counts = [None]  # of one rank, yet counted differently: not to be trusted
         # Where the first ones agree the others are taken to be of the same sort.
         for place, i in enumerate(alike):
             dimensions[left[i]] = counts[min(place, len(counts) - 1)]

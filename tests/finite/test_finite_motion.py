@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from finite.sample_linkages import (
     Z,
+    ball,
     model,
     moved,
     octahedron,
@@ -237,3 +238,23 @@ def test_words_for_motions() -> None:
     assert not words(
         *(displacement(x, k % 3, (y, z, x)) for k, (x, y, z) in enumerate(a))
     )
+
+
+def test_one_rank_counted_in_two_ways_decides_nothing() -> None:
+    """A flat octahedron of Bricard's third type, its edges rods between balls.
+
+    It moves in one way, and each of six rods spins: 7.  Samples near the flat posture
+    disagree on the dimension; no other number may come out of that.
+    """
+    root = 79**0.5
+    base = {"A": (1, 1 / 3, 0), "B": (1, 1 / 2, 0)}
+    base["C"] = ((8 - root) / 4, (47 - 4 * root) / 12, 0)
+    top = {"a": (0, 5 / 4, 0), "b": (1 / 5, 7 / 5, 0)}
+    top["c"] = ((3 * root + 96) / 140, (47 - 4 * root) / 140, 0)
+    joints = []
+    for lower, upper in ("Ab", "Ac", "Ba", "Bc", "Ca", "Cb"):
+        rod = f"rod{lower}{upper}"
+        joints.append(ball(f"S{rod}", "base", rod, base[lower]))
+        joints.append(ball(f"T{rod}", rod, "top", top[upper]))
+    found = finite_motion(model("base", "top", *joints))
+    assert found.mobility in {(), (7,)}
