@@ -198,12 +198,24 @@ def prime_for(
             return prime
 
 
+def residue_matrix(rows: Sequence[Sequence[Residue]], width: int, prime: int) -> Any:
+    """A matrix of residues in FLINT's form.
+
+    Most entries of a mechanism's matrices are 0 and cost nothing.
+    """
+    matrix = nmod_mat(len(rows), width, prime)
+    for i, row in enumerate(rows):
+        for j, value in enumerate(row):
+            if value:
+                matrix[i, j] = value
+    return matrix
+
+
 def rank(rows: Sequence[Sequence[Residue]], prime: int) -> int:
     """Rank of a matrix of residues."""
     if not rows or not rows[0]:
         return 0
-    entries = [int(value) for row in rows for value in row]
-    return int(nmod_mat(len(rows), len(rows[0]), entries, prime).rank())
+    return int(residue_matrix(rows, len(rows[0]), prime).rank())
 
 
 def annihilator(
@@ -212,8 +224,7 @@ def annihilator(
     """Basis of the vectors x with row·x = 0 for every row."""
     if not rows:
         return [[int(i == j) for j in range(width)] for i in range(width)]
-    entries = [int(value) for row in rows for value in row]
-    kernel, nullity = nmod_mat(len(rows), width, entries, prime).nullspace()
+    kernel, nullity = residue_matrix(rows, width, prime).nullspace()
     return [[int(kernel[i, j]) for i in range(width)] for j in range(int(nullity))]
 
 
@@ -221,8 +232,8 @@ def independent(rows: Sequence[Sequence[Residue]], prime: int) -> list[int]:
     """Numbers of the first rows that are independent."""
     if not rows or not rows[0]:
         return []
-    columns = [int(row[i]) for i in range(len(rows[0])) for row in rows]
-    reduced, rank = nmod_mat(len(rows[0]), len(rows), columns, prime).rref()
+    turned = residue_matrix(rows, len(rows[0]), prime).transpose()
+    reduced, rank = turned.rref()
     chosen, start = [], 0
     for line in range(int(rank)):
         start = next(i for i in range(start, len(rows)) if reduced[line, i] != 0)
@@ -235,8 +246,6 @@ def echelon(rows: Sequence[Sequence[Residue]], prime: int) -> list[list[int]]:
     """The reduced row echelon form without zero rows: the same for every basis."""
     if not rows or not rows[0]:
         return []
-    entries = [int(value) for row in rows for value in row]
-    matrix = nmod_mat(len(rows), len(rows[0]), entries, prime)
-    reduced, rank = matrix.rref()
     width = len(rows[0])
+    reduced, rank = residue_matrix(rows, width, prime).rref()
     return [[int(reduced[i, j]) for j in range(width)] for i in range(int(rank))]

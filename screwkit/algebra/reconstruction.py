@@ -73,7 +73,7 @@ class AlgebraicNumber:
             )
         )
 
-    @property
+    @cached_property
     def text(self) -> str:
         """The number as text of the grammar: ``1/2 + sqrt(3)/2``."""
         return expression_text(self.expression)
@@ -144,13 +144,24 @@ class Reconstruction:
         A residue drawn at random is taken for a number with probability 1/`CHANCE` for
         each of the few subfields that are tried, small ones first.
         """
+        pair = int(first), int(second)
+        if pair not in self._known:
+            self._known[pair] = self._found(*pair)
+        return self._known[pair]
+
+    @cached_property
+    def _known(self) -> dict[tuple[int, int], AlgebraicNumber | None]:
+        """What was asked before; the same entries come again and again."""
+        return {}
+
+    def _found(self, first: int, second: int) -> AlgebraicNumber | None:
         p, q = self.primes
         one, other = (first + p // 2) % p - p // 2, (second + q // 2) % q - q // 2
         if one == other and abs(one) < SMALL:
             unit = self._units[0][0]
             return AlgebraicNumber(((unit, Fraction(one)),) if one else ())
         for units in self._subfields:
-            found = self._short(int(first), int(second), units)
+            found = self._short(first, second, units)
             if found is not None:
                 return found
         return None

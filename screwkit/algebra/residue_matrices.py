@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
-from flint import nmod_mat
+from screwkit.algebra.modular import residue_matrix
 
 Rows: TypeAlias = list[list[int]]
 """A matrix of residues; bases have a vector in each row."""
-
-
-def matrix(rows: Rows, height: int, width: int, prime: int) -> Any:
-    """The matrix in FLINT's form."""
-    return nmod_mat(height, width, [x for row in rows for x in row], prime)
 
 
 def product(left: Rows, right: Rows, prime: int) -> Rows:
     """Left times right."""
     if not left or not right:
         return [[] for _ in left]
-    one = matrix(left, len(left), len(left[0]), prime)
-    other = matrix(right, len(right), len(right[0]), prime)
+    one = residue_matrix(left, len(left[0]), prime)
+    other = residue_matrix(right, len(right[0]), prime)
     found = one * other
     width = len(right[0])
     return [[int(found[i, j]) for j in range(width)] for i in range(len(left))]

@@ -153,7 +153,7 @@ class _Words:
         self._network = one.motion.network
         self._reader: TextReader | None = None
         if other is not None:
-            self._reader = TextReader(one.motion.posture, other.motion.posture)
+            self._reader = TextReader.between(one.motion.posture, other.motion.posture)
         ends = self._network.mechanism.base, self._network.mechanism.platform
         held = self._network.connected(*ends)
         self._rests = ", the platform rests" if held else ""

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Final
 
 from screwkit.algebra.polynomial_text import text
@@ -56,7 +57,7 @@ class GraspPair:
             one, other = other, one
         return cls((one, other), (blocks_of(one), blocks_of(other)))
 
-    @property
+    @cached_property
     def numbers(self) -> Reconstruction:
         """The way back from residues."""
         return reconstruction(self.grasps)
@@ -168,7 +169,7 @@ def _object_screw(
         shift = (b * z - c * y, c * x - a * z, a * y - b * x)
         moment = [(v - s) % grasp.prime for v, s in zip(u[3:], shift, strict=True)]
         whole.append([*u[:3], *moment])
-    reader = TextReader(*at.grasps)
+    reader = TextReader(at.numbers)
     near = [
         tuple(
             [int(x) for x in grasp.matrices.rows[number].wrench.point]

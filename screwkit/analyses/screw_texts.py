@@ -69,11 +69,18 @@ class ExactPoint(Protocol):
 class TextReader:
     """Reads residues of one mechanism at one point, modulo two primes."""
 
-    def __init__(self, first: ExactPoint, second: ExactPoint) -> None:
-        self.primes = first.prime, second.prime
-        self._numbers = Reconstruction(
-            first.field, self.primes, (first.constants, second.constants)
+    def __init__(self, numbers: Reconstruction) -> None:
+        self.primes = numbers.primes
+        self._numbers = numbers
+
+    @classmethod
+    def between(cls, first: ExactPoint, second: ExactPoint) -> TextReader:
+        """Of one point, modulo the prime of each."""
+        primes, constants = (
+            (first.prime, second.prime),
+            (first.constants, second.constants),
         )
+        return cls(Reconstruction(first.field, primes, constants))
 
     def vector(self, pair: Pair) -> Texts:
         """The coordinates as they are."""

@@ -18,7 +18,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from screwkit.algebra.evaluation import evaluate
-from screwkit.algebra.residue_matrices import Rows, gram, identity, matrix
+from screwkit.algebra.modular import residue_matrix
+from screwkit.algebra.residue_matrices import Rows, gram, identity
 from screwkit.grasping.exact_grasp import ExactGrasp
 from screwkit.grasping.partition import Blocks
 from screwkit.grasping.statics import (
@@ -160,12 +161,12 @@ def _least(vectors: Rows, free: Rows, metric: Rows, prime: int) -> Any:
     size = len(vectors)
     both = [*vectors, *free]
     products = gram(both, metric, prime)
-    upper = matrix([row[:size] for row in products[:size]], size, size, prime)
+    upper = residue_matrix([row[:size] for row in products[:size]], size, prime)
     if not free or not size:
         return upper
     count = len(free)
-    across = matrix([row[size:] for row in products[:size]], size, count, prime)
-    within = matrix([row[size:] for row in products[size:]], count, count, prime)
+    across = residue_matrix([row[size:] for row in products[:size]], count, prime)
+    within = residue_matrix([row[size:] for row in products[size:]], count, prime)
     return upper - across * within.solve(across.transpose())
 
 

@@ -11,13 +11,13 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.modular import ModularRing, rank
 from screwkit.algebra.reconstruction import Reconstruction
-from screwkit.grasping.matrices import GraspMatrices, grasp_matrices
+from screwkit.grasping.matrices import GraspMatrices, grasp_matrices, grasp_rows
 from screwkit.kinematics.exact_postures import at_zero, exact_values, surveyed
 from screwkit.kinematics.placement import why_tied
 from screwkit.mechanism.model import Mechanism
@@ -44,6 +44,19 @@ class Ranks:
     ao: int
     po: int
     apo: int
+
+    def of(self, parts: str) -> int:
+        """The rank of the columns of some parts, as in ``ap``."""
+        return int(getattr(self, parts))
+
+    def motions(self, parts: str) -> int:
+        """Independent motions of actuated, passive joints and the object alone."""
+        columns = {"a": self.actuated, "p": self.passive, "o": self.twists}
+        return sum(columns[part] for part in parts) - self.of(parts)
+
+    def unfelt(self, parts: str) -> int:
+        """Independent contact forces that do no work on the motion of these parts."""
+        return self.rows - self.of(parts)
 
     @property
     def redundancy(self) -> int:
@@ -203,7 +216,7 @@ def exact_grasps(
     def matrices(ring: Any) -> GraspMatrices[Any]:
         return grasp_matrices(mechanism, ring)
 
-    seen = surveyed(matrices)
+    seen = surveyed(partial(grasp_rows, mechanism))
     points = [exact_values(matrices, seed, seen=seen) for seed in seeds]
     return tuple(
         ExactGrasp(found.value, found.ring, dict(found.constants), found.field)

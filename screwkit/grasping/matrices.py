@@ -119,6 +119,84 @@ def grasp_matrices(
         UndecidedError: If a joint or contact is placed nowhere.
         ExpressionError: If a coordinate has no value in the ring.
     """
+    placed = grasp_rows(mechanism, ring, twists, carried)
+    holds, twists, rows = placed.holds, placed.twists, placed.rows
+    labels = {
+        joint.name: freedom_labels(joint, mechanism.space) for joint in mechanism.joints
+    }
+    actuated = mechanism.scheme_order or mechanism.actuated
+    passive = tuple(
+        label
+        for joint in mechanism.joints
+        for label in labels[joint.name]
+        if label not in actuated and _has_rate(joint, holds)
+    )
+    order = (*actuated, *passive)
+    felt = {
+        hold.joint: [
+            (label, sign) for name, sign in hold.steps for label in labels[name]
+        ]
+        for hold in holds.all
+    }
+    place = {label: number for number, label in enumerate(order)}
+    coordinates = {label: twist.coordinates for label, twist in twists.items()}
+    return GraspMatrices(
+        holds,
+        rows,
+        tuple(actuated),
+        passive,
+        tuple(
+            _j_row(row, felt[row.hold.joint], place, ring, coordinates) for row in rows
+        ),
+        tuple(_gt_row(row, mechanism, ring, placed.centre) for row in rows),
+        tuple(_square(ring, row.wrench.direction) for row in rows),
+        tuple(_stroke(ring, twists[label]) for label in order),
+        placed.centre,
+        len(twist_coordinates(mechanism)),
+        frozenset(
+            label for label in order if not _slides(ring, twists[label].direction)
+        ),
+        tuple(label for name in holds.passing for label in labels[name]),
+        {label: twists[label].joint for label in order},
+        twists,
+    )
+
+
+@dataclass(frozen=True)
+class PlacedRows(Generic[S]):
+    """Where the object is held and what moves, before velocities are compared.
+
+    Attributes:
+        holds: Where the object is held, and how limbs close in themselves.
+        rows: In the order of `GraspMatrices`.
+        twists: Of all freedoms, about the base origin.
+        centre: The reference point, in base coordinates.
+    """
+
+    holds: Holds
+    rows: tuple[GraspRow[S], ...]
+    twists: Twists[S]
+    centre: Vector[S]
+
+
+def grasp_rows(
+    mechanism: Mechanism,
+    ring: Ring[S],
+    twists: Twists[S] | None = None,
+    carried: Mapping[str, Displacement[S]] | None = None,
+) -> PlacedRows[S]:
+    """All that `grasp_matrices` asks of a ring; enough to survey it.
+
+    Args:
+        mechanism: As for `grasp_matrices`, with ``ring``, ``twists`` and ``carried``.
+        ring: Where the coordinates live.
+        twists: Of all freedoms of a mechanism that has been moved.
+        carried: With them, where each body has been carried.
+
+    Raises:
+        UndecidedError: If a joint or contact is placed nowhere.
+        ExpressionError: If a coordinate has no value in the ring.
+    """
     holds = holds_of(mechanism)
     centre = reference_point(mechanism, ring)
     if twists is None:
@@ -144,36 +222,7 @@ def grasp_matrices(
             ]
         forces = [row for row in own if row.wrench.kind != "couple"]
         rows += [*forces, *(row for row in own if row.wrench.kind == "couple")]
-    actuated = mechanism.scheme_order or mechanism.actuated
-    passive = tuple(
-        label
-        for joint in mechanism.joints
-        for label in freedom_labels(joint, mechanism.space)
-        if label not in actuated and _has_rate(joint, holds)
-    )
-    order = (*actuated, *passive)
-    return GraspMatrices(
-        holds,
-        tuple(rows),
-        tuple(actuated),
-        passive,
-        tuple(_j_row(row, order, mechanism, ring, twists) for row in rows),
-        tuple(_gt_row(row, mechanism, ring, centre) for row in rows),
-        tuple(_square(ring, row.wrench.direction) for row in rows),
-        tuple(_stroke(ring, twists[label]) for label in order),
-        centre,
-        len(twist_coordinates(mechanism)),
-        frozenset(
-            label for label in order if not _slides(ring, twists[label].direction)
-        ),
-        tuple(
-            label
-            for name in holds.passing
-            for label in freedom_labels(mechanism.joint(name), mechanism.space)
-        ),
-        {label: twists[label].joint for label in order},
-        twists,
-    )
+    return PlacedRows(holds, tuple(rows), twists, centre)
 
 
 def _has_rate(joint: Joint, holds: Holds) -> bool:
@@ -210,21 +259,22 @@ def _wrenches(
 
 def _j_row(
     row: GraspRow[S],
-    order: Sequence[str],
-    mechanism: Mechanism,
+    felt: Sequence[tuple[str, int]],
+    place: Mapping[str, int],
     ring: Ring[S],
-    twists: Twists[S],
+    twists: Mapping[str, Sequence[S]],
 ) -> tuple[S, ...]:
     """The power of the row's wrench on the twist of each freedom that it feels."""
-    signs = dict(row.hold.steps)
-    found: dict[str, S] = {}
-    for name, sign in signs.items():
-        for label in freedom_labels(mechanism.joint(name), mechanism.space):
-            twist = twists[label]
-            power = vector.dot(row.wrench.force, twist.moment)
-            power = power + vector.dot(row.wrench.moment, twist.direction)
-            found[label] = ring.normal(power if sign > 0 else -power)
-    return tuple(found.get(label, ring.zero) for label in order)
+    wrench = (*row.wrench.moment, *row.wrench.force)
+    acting = [(i, x) for i, x in enumerate(wrench) if not ring.is_zero(x)]
+    found = [ring.zero] * len(place)
+    for label, sign in felt:
+        if label in place:
+            twist, power = twists[label], ring.zero
+            for i, x in acting:
+                power = power + x * twist[i]
+            found[place[label]] = ring.normal(power if sign > 0 else -power)
+    return tuple(found)
 
 
 def _gt_row(

@@ -69,6 +69,10 @@ def blocks_of(grasp: ExactGrasp) -> Blocks:
     basis: dict[str, tuple[tuple[int, ...], ...]] = {}
     for block in BLOCKS:
         parts = MOVING[block]
+        known = sum(len(v) for b, v in basis.items() if set(MOVING[b]) <= set(parts))
+        if known == grasp.ranks.motions(parts):
+            basis[block] = ()  # its motions are sums of those of earlier blocks
+            continue
         where = [i for part in "apo" if part in parts for i in places[part]]
         vectors = [
             _spread(vector, where, width)

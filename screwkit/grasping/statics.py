@@ -49,15 +49,17 @@ def contact_forces(grasp: ExactGrasp) -> ContactForces:
     """The four parts."""
     prime, rows = grasp.prime, len(grasp.j)
 
-    def unfelt(parts: str) -> Rows:
+    def unfelt(parts: str, known: Rows) -> Rows:
+        """What completes ``known`` to all forces that these parts do not feel."""
+        if len(known) == grasp.ranks.unfelt(parts):
+            return []
         columns = [list(column) for column in zip(*grasp.columns(parts), strict=True)]
-        return annihilator(columns, rows, prime)
+        vectors = annihilator(columns, rows, prime)
+        return _complement(known, vectors, prime) if known else vectors
 
-    silent = unfelt("apo")
-    quiet = _complement(silent, unfelt("ap"), prime)
-    inner = _complement(silent, unfelt("po"), prime)
-    known = [*silent, *quiet, *inner]
-    return ContactForces(silent, quiet, inner, _complement(known, unfelt("p"), prime))
+    silent = unfelt("apo", [])
+    quiet, inner = unfelt("ap", silent), unfelt("po", silent)
+    return ContactForces(silent, quiet, inner, unfelt("p", [*silent, *quiet, *inner]))
 
 
 def static_bases(grasp: ExactGrasp, forces: ContactForces) -> StaticBases:

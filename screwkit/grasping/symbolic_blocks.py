@@ -15,11 +15,11 @@ from typing import Final, TypeAlias
 
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.minors import minors_of
-from screwkit.algebra.modular import rank
+from screwkit.algebra.modular import independent
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.grasping.exact_grasp import ExactGrasp
-from screwkit.grasping.matrices import GraspMatrices, grasp_matrices
+from screwkit.grasping.matrices import GraspMatrices, grasp_matrices, grasp_rows
 from screwkit.grasping.partition import BLOCKS, Blocks, blocks_of
 from screwkit.mechanism.model import Mechanism
 from screwkit.screw.nullspace import shortened
@@ -45,7 +45,7 @@ def polynomial_matrices(
         UndecidedError: If a contact has no place.
     """
     seen = SurveyRing()
-    grasp_matrices(mechanism, seen)
+    grasp_rows(mechanism, seen)
     ring = TrigonometricRing(seen)
     return ring, grasp_matrices(mechanism, ring)
 
@@ -63,7 +63,7 @@ class GraspFamily:
     def matrices(self) -> tuple[TrigonometricRing, GraspMatrices[Polynomial]]:
         """J and Gᵀ over a ring that has the weights and `VALUE` too."""
         seen = SurveyRing()
-        grasp_matrices(self.mechanism, seen)
+        grasp_rows(self.mechanism, seen)
         for rows in self.mechanism.weights.values():
             for entry in (x for row in rows for x in row):
                 evaluate(entry, seen)
@@ -127,11 +127,8 @@ def _vector(
     order = sorted(
         range(len(rows)), key=lambda r: sum(len(rows[r][i]) for i in support)
     )
-    chosen: list[int] = []
-    for number in order:
-        trial = [[residues[r][i] for i in support] for r in (*chosen, number)]
-        if len(chosen) + 1 < len(support) and rank(trial, prime) == len(trial):
-            chosen.append(number)
+    known = [[residues[r][i] for i in support] for r in order]
+    chosen = [order[k] for k in independent(known, prime)[: len(support) - 1]]
     lines = [[rows[r][i] for i in support] for r in chosen]
     if sum(len(x) for line in lines for x in line) > TERMS:
         return None
