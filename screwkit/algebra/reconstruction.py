@@ -15,12 +15,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations, product
-from math import gcd, lcm, prod
+from math import gcd, isqrt, lcm, prod
 
 from flint import arb, ctx, fmpq, fmpz_mat, nmod_poly
 
 from screwkit.algebra.constants import ConstantField
-from screwkit.algebra.expression import Expression, Number, Pi
+from screwkit.algebra.expression import ONE, Expression, Number, Pi
 from screwkit.algebra.expression_building import add, call, multiply
 from screwkit.algebra.modular import ModularRing, ResampleError
 from screwkit.algebra.text import expression_text
@@ -40,6 +40,8 @@ class Irrationality:
     @property
     def expression(self) -> Expression:
         """In the grammar, without the factor 2 of the cosine."""
+        if self.radicand == 1 and not self.turn:
+            return ONE
         root, cosine = Number(Fraction(self.radicand)), Number(self.turn)
         return multiply(
             *([call("sqrt", root)] if self.radicand > 1 else []),
@@ -66,6 +68,9 @@ class AlgebraicNumber:
     @property
     def expression(self) -> Expression:
         """The number in the grammar."""
+        match self.terms:
+            case ((Irrationality(1, 0), value),):
+                return Number(value)
         return add(
             *(
                 multiply(Number(coefficient * (2 if unit.turn else 1)), unit.expression)
@@ -220,6 +225,23 @@ class Reconstruction:
                 found.append((int(a), int(b), number))
         return tuple(sorted(found, key=lambda root: float(root[2])))
 
+    def _rational(self, residue: int) -> AlgebraicNumber | None:
+        """The same among rationals, by Euclid's algorithm [WangGuyDavenport1982]."""
+        above, rest, last, below = self._modulus, residue, 0, 1
+        while rest > self._height:
+            times = above // rest
+            above, rest = rest, above - times * rest
+            last, below = below, last - times * below
+        if abs(below) > self._height:
+            return None
+        value = Fraction(rest, below)
+        return AlgebraicNumber(((self._units[0][0], value),) if value else ())
+
+    @cached_property
+    def _height(self) -> int:
+        """Numerators and denominators up to this are no chance."""
+        return (isqrt(self._modulus // CHANCE) - 1) // 2
+
     @cached_property
     def _units(self) -> tuple[tuple[Irrationality, int], ...]:
         """A basis of the field over Q, 1 first, with residues modulo both primes."""
@@ -273,12 +295,20 @@ class Reconstruction:
     def _both(self, first: int, second: int) -> int:
         """The residue modulo the product of the primes."""
         p, q = self.primes
-        return first % p + p * ((second - first % p) * pow(p, -1, q) % q)
+        return first % p + p * ((second - first % p) * self._inverse % q)
+
+    @cached_property
+    def _inverse(self) -> int:
+        """Of the first prime modulo the second."""
+        p, q = self.primes
+        return pow(p, -1, q)
 
     def _short(
         self, first: int, second: int, units: Sequence[int]
     ) -> AlgebraicNumber | None:
         """The number x by the shortest (d, c) with d·x = Σ c·unit modulo both."""
+        if len(units) == 1:
+            return self._rational(self._both(first, second))
         residues = [self._both(first, second)]
         residues += [-self._units[i][1] for i in units[1:]]
         size = len(residues) + 1

@@ -18,6 +18,7 @@ from screwkit.algebra.minors import minors_of
 from screwkit.algebra.modular import independent
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.errors import TooLargeError
 from screwkit.grasping.exact_grasp import ExactGrasp
 from screwkit.grasping.matrices import GraspMatrices, grasp_matrices, grasp_rows
 from screwkit.grasping.partition import BLOCKS, Blocks, blocks_of
@@ -34,6 +35,9 @@ LARGEST: Final = 12
 
 TERMS: Final = 400
 """Terms of all rows together up to which minors are expanded."""
+
+PRODUCTS: Final = 20_000
+"""Products of terms that one more row may take; short vectors are found far below."""
 
 
 def polynomial_matrices(
@@ -132,7 +136,10 @@ def _vector(
     lines = [[rows[r][i] for i in support] for r in chosen]
     if sum(len(x) for line in lines for x in line) > TERMS:
         return None
-    minors = minors_of(ring, lines)
+    try:
+        minors = minors_of(ring, lines, PRODUCTS)
+    except TooLargeError:
+        return None
     whole = (1 << len(support)) - 1
     found: list[Polynomial] = [ring.zero] * len(vector)
     for number, place in enumerate(support):

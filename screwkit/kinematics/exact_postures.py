@@ -15,6 +15,7 @@ from fractions import Fraction
 from typing import Any, Generic, Protocol, TypeAlias, TypeVar
 
 from screwkit.algebra.constants import ConstantField
+from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.expression import ZERO, Number
 from screwkit.algebra.modular import ModularRing, ResampleError, prime_for
 from screwkit.algebra.survey import SurveyRing
@@ -107,6 +108,8 @@ def exact_values(
         prime = prime_for(seen.turn, roots, seed + 1000 * attempt, bits)
         ring = ModularRing(seed + attempt, prime, field)
         try:
+            for root in seen.roots:  # at once, for most attempts fail at one of these
+                ring.square_root(root, evaluate(root, ring))
             value = computation(ring)
             constants = {g: int(ring.generator(g)) for g in field.generators}
         except (ResampleError, ZeroDivisionError):
