@@ -93,4 +93,4 @@ class BatchRing:
 
     def is_zero(self, value: Array) -> bool:
         """Whether every entry is exactly 0: structural zeros only, no tolerance."""
-        return bool(np.all(value == 0.0))
+        return bool(np.all(value == 0.0) if np.ndim(value) else value == 0.0)

@@ -125,8 +125,10 @@ def indices(grasp: FloatGrasp, weights: Weights) -> Indices:
     Raises:
         numpy.linalg.LinAlgError: If a weight is not positive definite.
     """
-    kinematic, spans = _kinematic(grasp, weights)
-    statics = _Statics.of(grasp, weights)
+    ranks = grasp.ranks
+    passive = split(grasp.jp, None if ranks is None else ranks.p)
+    kinematic, spans = _kinematic(grasp, weights, passive)
+    statics = _Statics.of(grasp, weights, passive)
     force = _force(statics)
     h, s = statics.torque_span.shape[1], statics.wrench_span.shape[1]
     structural = _unit_rows(statics.from_wrench @ statics.wrench_span)
@@ -144,10 +146,11 @@ def indices(grasp: FloatGrasp, weights: Weights) -> Indices:
     )
 
 
-def _kinematic(grasp: FloatGrasp, weights: Weights) -> tuple[Index, tuple[Split, ...]]:
+def _kinematic(
+    grasp: FloatGrasp, weights: Weights, passive: Split
+) -> tuple[Index, tuple[Split, ...]]:
     """Object against actuators, both as short as they can be chosen."""
     ranks = grasp.ranks
-    passive = split(grasp.jp, None if ranks is None else ranks.p)
     feeling = passive.left_null_space.T
     to_rates, to_twist = _root(weights.rates), _root(weights.twist)
     from_rates = _back(to_rates, grasp.ja.shape[1])
@@ -224,10 +227,9 @@ class _Statics:
     gap: float
 
     @classmethod
-    def of(cls, grasp: FloatGrasp, weights: Weights) -> _Statics:
-        """At the posture of a grasp."""
+    def of(cls, grasp: FloatGrasp, weights: Weights, passive: Split) -> _Statics:
+        """At the posture of a grasp, whose passive joints are split."""
         ranks = grasp.ranks
-        passive = split(grasp.jp, None if ranks is None else ranks.p)
         forces = passive.left_null_space
         to_torque, to_wrench = _root(weights.torques), _root(weights.wrench)
         torques = -_through(to_torque, grasp.ja.T @ forces)
