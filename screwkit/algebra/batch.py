@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from screwkit.algebra.expression import Expression
+from screwkit.algebra.ring import Known
 from screwkit.errors import UnknownNameError
 
 Array = NDArray[np.float64]
@@ -24,11 +25,15 @@ class BatchRing:
 
     Attributes:
         values: An array for every symbol, all of one broadcastable shape.
+        known: See `Ring`.
     """
 
     def __init__(self, values: Mapping[str, Array | float]) -> None:
         self.values = {name: np.asarray(v, dtype=float) for name, v in values.items()}
         self._pairs: dict[str, tuple[Array, Array]] = {}
+        # Those of many postures would fill the memory.
+        single = all(not value.ndim for value in self.values.values())
+        self.known: Known[Array] | None = {} if single else None
 
     @property
     def zero(self) -> Array:

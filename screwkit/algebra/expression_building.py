@@ -7,7 +7,7 @@ person wrote stays recognisable.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 
 from screwkit.algebra.expression import (
@@ -132,6 +132,14 @@ def substitute(expression: Expression, values: dict[str, Expression]) -> Express
     Raises:
         ZeroDivisionError: If a denominator becomes the number zero.
     """
+    return substitution(values)(expression)
+
+
+def substitution(
+    values: Mapping[str, Expression],
+) -> Callable[[Expression], Expression]:
+    """`substitute` for many expressions: a part that they share is built once."""
+    known: dict[int, tuple[Expression, Expression]] = {}
 
     def replaced(node: Expression) -> Expression:
         match node:
@@ -139,6 +147,12 @@ def substitute(expression: Expression, values: dict[str, Expression]) -> Express
                 return node
             case Symbol(name):
                 return values.get(name, node)
+        if id(node) not in known:
+            known[id(node)] = node, built(node)
+        return known[id(node)][1]
+
+    def built(node: Sum | Product | Power | Quotient | Call) -> Expression:
+        match node:
             case Sum(terms):
                 return add(*map(replaced, terms))
             case Product(factors):
@@ -150,7 +164,7 @@ def substitute(expression: Expression, values: dict[str, Expression]) -> Express
             case Call(function, arguments):
                 return call(function, *map(replaced, arguments))
 
-    return replaced(expression)
+    return replaced
 
 
 def symbols_of(expression: Expression) -> frozenset[str]:

@@ -18,6 +18,7 @@ from flint import fmpz, nmod, nmod_mat, nmod_poly
 from screwkit.algebra.constants import Combination, ConstantField
 from screwkit.algebra.expression import Expression
 from screwkit.algebra.rational_values import rational_value
+from screwkit.algebra.ring import Known
 
 Residue: TypeAlias = Any  # flint.nmod, which has no type stubs
 
@@ -44,6 +45,7 @@ class ModularRing:
         prime: The modulus.
         constants: The field of the geometry's constants: one root mod p is chosen for
             each of its generators, so that √3, √12 and cos(π/6) agree.
+        known: See `Ring`.
     """
 
     def __init__(
@@ -60,6 +62,7 @@ class ModularRing:
         self._roots: dict[Expression, Residue] = {}
         self._zero, self._one = nmod(0, prime), nmod(1, prime)
         self._generators: dict[str, Residue] = {}
+        self.known: Known[Residue] = {}
         self._turns: dict[Fraction, tuple[Residue, Residue]] = {}
 
     @property

@@ -9,7 +9,7 @@ and it asks the ring, not the value, what is zero.
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Protocol, Self, TypeVar
+from typing import Protocol, Self, TypeAlias, TypeVar
 
 from screwkit.algebra.expression import Expression
 
@@ -37,8 +37,17 @@ class Scalar(Protocol):
 S = TypeVar("S", bound=Scalar)
 
 
+Known: TypeAlias = dict[int, tuple[Expression, S]]
+"""Values of expressions by their identity, with the expression that keeps it."""
+
+
 class Ring(Protocol[S]):
     """Where scalars come from and how they are judged."""
+
+    @property
+    def known(self) -> Known[S] | None:
+        """What was evaluated before; None where nothing is kept."""
+        ...
 
     @property
     def zero(self) -> S:

@@ -12,6 +12,7 @@ from math import isqrt, lcm
 
 from screwkit.algebra.expression import Expression, Number
 from screwkit.algebra.rational_values import rational_value
+from screwkit.algebra.ring import Known
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +46,7 @@ class SurveyRing:
         roots: Radicands; inner ones before outer ones.
         divisors: Divisors; inner ones before outer ones.
         turn: Least n such that all constant angles are multiples of π/n.
+        known: See `Ring`.
     """
 
     symbols: dict[str, None] = field(default_factory=dict)
@@ -53,6 +55,7 @@ class SurveyRing:
     roots: dict[Expression, None] = field(default_factory=dict)
     divisors: dict[Expression, None] = field(default_factory=dict)
     turn: int = 1
+    known: Known[Blank] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def zero(self) -> Blank:

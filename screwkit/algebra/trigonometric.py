@@ -25,6 +25,7 @@ from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.evaluation import add_angles, evaluate, multiply_angle
 from screwkit.algebra.expression import Expression, Number
 from screwkit.algebra.rational_values import rational_value
+from screwkit.algebra.ring import Known
 from screwkit.algebra.survey import SurveyRing, rational_root
 from screwkit.errors import ExpressionError
 
@@ -106,7 +107,9 @@ class TrigonometricRing:
         self._extended: dict[Expression, Polynomial] = {}
         self._divisor_values: dict[str, Polynomial] = {}
         self._radicands: dict[str, Polynomial] = {}
+        self.known: Known[Polynomial] | None = None  # normal forms are not yet final
         self._extend(index)
+        self.known = {}
 
     # -- construction ------------------------------------------------------------
 

@@ -42,6 +42,7 @@ class Rationals:
     """The ring of plain fractions; joints at numbers need no more."""
 
     zero, one = Fraction(0), Fraction(1)
+    known = None
 
     def rational(self, value: Fraction) -> Fraction:
         return value
