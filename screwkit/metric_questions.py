@@ -151,7 +151,15 @@ def sweep(
     drawn = place is not None and place.suffix in FORMS
     kept = None if drawn else place
     found = sweep_map(
-        case.mechanism, vary, index, samples, best, kept, executor, progress
+        case.mechanism,
+        vary,
+        index,
+        samples,
+        best,
+        kept,
+        executor,
+        progress,
+        case.wanted,
     )
     if place is None or not drawn:
         return found

@@ -151,8 +151,5 @@ def closed_table(network: Network) -> TableClosure | None:
             f"{network.tied}; a closed posture is needed, and {error} (--set gives one)"
         ) from None
     if not found.closed:
-        raise UndecidedError(
-            f"no closed posture was found: joint {found.joint!r} misses its body by "
-            f"{found.miss:.2g} at best"
-        )
+        raise UndecidedError(found.refusal)
     return None if found.at_zero else found

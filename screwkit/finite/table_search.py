@@ -46,6 +46,16 @@ class TableClosure:
         return self.miss <= OPEN
 
     @property
+    def refusal(self) -> str:
+        """Why it is of no use; empty where it is closed."""
+        if self.closed:
+            return ""
+        return (
+            f"no closed posture was found: joint {self.joint!r} misses its body by "
+            f"{self.miss:.2g} at best"
+        )
+
+    @property
     def at_zero(self) -> bool:
         """Whether all joint variables are 0."""
         return not any(self.values.values())

@@ -21,7 +21,7 @@ from screwkit.algebra.modular import ModularRing, ResampleError, prime_for
 from screwkit.algebra.survey import SurveyRing
 from screwkit.errors import UndecidedError
 from screwkit.kinematics.freedoms import JointTwist
-from screwkit.kinematics.placement import joint_twists
+from screwkit.kinematics.placement import joint_twists, table_agrees, why_tied
 from screwkit.kinematics.values import with_values
 from screwkit.mechanism.model import Mechanism
 
@@ -146,6 +146,24 @@ def exact_posture(mechanism: Mechanism, seed: int, bits: int = 61) -> ExactPostu
         found.prime,
         found.constants,
         found.field,
+    )
+
+
+def closes_at_zero(mechanism: Mechanism) -> bool:
+    """Whether joint variables 0 are a closed posture whatever the symbols are.
+
+    Args:
+        mechanism: Any; only a table that ties joint variables may be open there.
+
+    Raises:
+        UndecidedError: See `exact_values`.
+    """
+    if mechanism.geometry != "mdh" or not why_tied(mechanism):
+        return True
+    table = at_zero(mechanism)
+    return all(
+        exact_values(lambda ring: table_agrees(table, ring), seed).value
+        for seed in (1, 2)
     )
 
 

@@ -112,6 +112,29 @@ def placed_links(
     return placed
 
 
+def table_agrees(mechanism: Mechanism, ring: Ring[S]) -> bool:
+    """Whether every row of a table puts its link where other rows have put it.
+
+    Args:
+        mechanism: An ``mdh`` mechanism.
+        ring: An exact one.
+    """
+    placed = placed_links(mechanism, ring, mechanism.base)
+    misses: list[S] = []
+    for joint in table_joints(mechanism):
+        if joint.mdh is None or not {joint.parent, joint.child} <= placed.keys():
+            continue
+        step = parent_from_joint(joint, joint.mdh, ring)
+        one, other = placed[joint.parent].then(step, ring), placed[joint.child]
+        pairs = zip(
+            (*one.rotation, one.translation),
+            (*other.rotation, other.translation),
+            strict=True,
+        )
+        misses += [x for a, b in pairs for x in vector.subtract(a, b)]
+    return all(ring.is_zero(ring.normal(miss)) for miss in misses)
+
+
 def table_joints(mechanism: Mechanism) -> tuple[Joint, ...]:
     """The joints that carry a row and place their child."""
     return tuple(joint for joint in mechanism.joints if joint.mdh is not None)

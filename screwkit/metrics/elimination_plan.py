@@ -66,8 +66,13 @@ def plan_of(grasp: ExactGrasp) -> Plan:
         chosen = tuple(columns[i] for i in independent(lines, grasp.prime))
         actuated = tuple(c for c in range(split) if any(grasp.j[r][c] for r in rows))
         groups.append(Group(tuple(rows), chosen, actuated))
+    return plan_with(ranks, tuple(groups))
+
+
+def plan_with(ranks: Ranks, groups: tuple[Group, ...] = ()) -> Plan:
+    """The plan of given ranks; without groups it serves single postures alone."""
     return Plan(
-        tuple(groups),
+        groups,
         ranks,
         ranks.ap - ranks.p,
         ranks.po - ranks.p,

@@ -5,7 +5,7 @@ References: [BicchiPrattichizzo] §V.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +14,7 @@ from typing import Literal
 import numpy as np
 
 from screwkit.algebra.batch import Array
+from screwkit.algebra.expression import Expression
 from screwkit.errors import ExpressionError
 from screwkit.mechanism.model import Mechanism
 from screwkit.progress import Progress, silent
@@ -53,6 +54,7 @@ def sweep_map(
     output: Path | None = None,
     executor: Executor | None = None,
     progress: Progress = silent,
+    wanted: Mapping[str, Expression] | None = None,
 ) -> Map:
     """Evaluate an index over ranges of symbols and joint variables.
 
@@ -66,11 +68,12 @@ def sweep_map(
             beside it until it is written.
         executor: Evaluates chunks; here by default.
         progress: Told how far it is.
+        wanted: Values at which joint variables that loops tie together are kept.
 
     Raises:
         UnknownNameError: If an index or a symbol is unknown.
         ExpressionError: If a range is none.
-        UndecidedError: If the index has no finite values.
+        UndecidedError: If the index has no finite values, or a table no closed posture.
         ScrewkitError: If the ending of the file is unknown.
     """
     known = [p.name for p in mechanism.parameters] + list(mechanism.joint_variables)
@@ -80,7 +83,8 @@ def sweep_map(
         check_ending(output)
     axes = tuple(axis_of(text, known) for text in vary)
     points = Samples(axes, samples) if samples else grid_of(axes)
-    objective = objective_of(mechanism, index, tuple(axis.name for axis in axes))
+    varied = tuple(axis.name for axis in axes)
+    objective = objective_of(mechanism, index, varied, wanted)
     progress("sweep", f"{index} at {points.size} points")
     kept = None if output is None else output.with_name(output.name + ".parts")
     values = swept(

@@ -133,6 +133,14 @@ def test_loops_follow_the_joint_that_is_varied(
                 assert np.isclose(value, 1, rtol=1e-7)
 
 
+@pytest.mark.parametrize("geometry", ["reference", "posture"])
+def test_joints_stay_where_they_are_put(tmp_path: Path, geometry: str) -> None:
+    """The lever of the parallelogram above, its crank held at 1/2 by ``--at``."""
+    case = sk.load(written(tmp_path, FRAME.format(geometry=geometry)), at={"qA": "1/2"})
+    found = sk.sweep(case, ["w=3:5:2"], "locus").values
+    assert np.allclose(np.abs(found), np.array([3, 5]) * cos(0.5), rtol=1e-7)
+
+
 def _least(width: float, angle: float) -> float:
     """Smallest singular value of [J_p −Gᵀ], built column by column.
 
