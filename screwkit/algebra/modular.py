@@ -235,11 +235,21 @@ def independent(rows: Sequence[Sequence[Residue]], prime: int) -> list[int]:
     """Numbers of the first rows that are independent."""
     if not rows or not rows[0]:
         return []
-    turned = residue_matrix(rows, len(rows[0]), prime).transpose()
-    reduced, rank = turned.rref()
+    return _pivots(residue_matrix(rows, len(rows[0]), prime).transpose())
+
+
+def pivots(rows: Sequence[Sequence[Residue]], prime: int) -> list[int]:
+    """Numbers of the first columns that are independent, ascending."""
+    if not rows or not rows[0]:
+        return []
+    return _pivots(residue_matrix(rows, len(rows[0]), prime))
+
+
+def _pivots(matrix: Any) -> list[int]:
+    reduced, rank = matrix.rref()
     chosen, start = [], 0
     for line in range(int(rank)):
-        start = next(i for i in range(start, len(rows)) if reduced[line, i] != 0)
+        start = next(i for i in range(start, matrix.ncols()) if reduced[line, i] != 0)
         chosen.append(start)
         start += 1
     return chosen

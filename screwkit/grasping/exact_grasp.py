@@ -9,13 +9,15 @@ References: [BicchiPrattichizzo] eqs. (2)-(5), (15)-(19), [Schwartz1980].
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
+from itertools import accumulate
 from typing import Any
 
 from screwkit.algebra.constants import ConstantField
-from screwkit.algebra.modular import ModularRing, rank
+from screwkit.algebra.modular import ModularRing, pivots, rank
 from screwkit.algebra.reconstruction import Reconstruction
 from screwkit.grasping.matrices import GraspMatrices, grasp_matrices, grasp_rows
 from screwkit.kinematics.exact_postures import at_zero, exact_values, surveyed
@@ -136,16 +138,17 @@ class ExactGrasp:
         return self.matrices.twist_size
 
     def columns(self, parts: str) -> list[list[int]]:
-        """Rows of the columns of J_a (``a``), J_p (``p``) and −Gᵀ (``o``)."""
-        prime, split = self.prime, self.actuated
+        """Rows of the columns of J_a (``a``), J_p (``p``) and −Gᵀ (``o``), in order."""
+        split = self.actuated
         whole = []
-        for j, gt in zip(self.j, self.gt, strict=True):
-            row: list[int] = []
-            row += j[:split] if "a" in parts else []
-            row += j[split:] if "p" in parts else []
-            row += [-x % prime for x in gt] if "o" in parts else []
-            whole.append(row)
+        for j, gt in zip(self.j, self._negative_gt, strict=True):
+            own = {"a": j[:split], "p": j[split:], "o": gt}
+            whole.append([x for part in parts for x in own[part]])
         return whole
+
+    @cached_property
+    def _negative_gt(self) -> list[list[int]]:
+        return [[-x % self.prime for x in row] for row in self.gt]
 
     @cached_property
     def object_alone(self) -> int:
@@ -176,24 +179,21 @@ class ExactGrasp:
 
     @cached_property
     def ranks(self) -> Ranks:
-        """All of them."""
+        """All of them, from three eliminations."""
+        own = self.matrices
+        widths = {"a": self.actuated, "p": len(own.passive), "o": self.twists}
 
-        def of(parts: str) -> int:
-            return rank(self.columns(parts), self.prime)
+        def leading(parts: str) -> list[int]:
+            """Ranks of the first part, of the first two …."""
+            chosen = pivots(self.columns(parts), self.prime)
+            ends = accumulate(widths[part] for part in parts)
+            return [bisect_left(chosen, end) for end in ends]
 
-        return Ranks(
-            rows=len(self.j),
-            actuated=self.actuated,
-            passive=len(self.matrices.passive),
-            twists=self.twists,
-            a=of("a"),
-            p=of("p"),
-            o=of("o"),
-            ap=of("ap"),
-            ao=of("ao"),
-            po=of("po"),
-            apo=of("apo"),
-        )
+        p, po, apo = leading("poa")
+        o, ao, _ = leading("oap")
+        a, ap = leading("ap")
+        actuated, passive, twists = widths.values()
+        return Ranks(len(self.j), actuated, passive, twists, a, p, o, ap, ao, po, apo)
 
 
 def exact_grasps(
