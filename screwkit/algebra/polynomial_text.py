@@ -25,6 +25,8 @@ from screwkit.algebra.trigonometric import (
 
 def text(ring: TrigonometricRing, polynomial: Polynomial) -> str:
     """A polynomial in normal form, sign included: ``2*r1*cos(q2) + d3``."""
+    if polynomial == 0:
+        return "0"
     return _printer(ring).text(polynomial, sign_matters=True)
 
 

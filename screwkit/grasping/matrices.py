@@ -140,6 +140,9 @@ def grasp_matrices(
     }
     place = {label: number for number, label in enumerate(order)}
     coordinates = {label: twist.coordinates for label, twist in twists.items()}
+    turning = frozenset(
+        label for label in order if not _is_zero(ring, twists[label].direction)
+    )
     return GraspMatrices(
         holds,
         rows,
@@ -150,12 +153,16 @@ def grasp_matrices(
         ),
         tuple(_gt_row(row, mechanism, ring, placed.centre) for row in rows),
         tuple(_square(ring, row.wrench.direction) for row in rows),
-        tuple(_stroke(ring, twists[label]) for label in order),
+        tuple(
+            _square(
+                ring,
+                twists[label].direction if label in turning else twists[label].moment,
+            )
+            for label in order
+        ),
         placed.centre,
         len(twist_coordinates(mechanism)),
-        frozenset(
-            label for label in order if not _slides(ring, twists[label].direction)
-        ),
+        turning,
         tuple(label for name in holds.passing for label in labels[name]),
         {label: twists[label].joint for label in order},
         twists,
@@ -289,16 +296,9 @@ def _gt_row(
     return tuple(whole[i] for i in coordinates)
 
 
-def _slides(ring: Ring[S], direction: Vector[S]) -> bool:
+def _is_zero(ring: Ring[S], direction: Vector[S]) -> bool:
     return all(ring.is_zero(ring.normal(x)) for x in direction)
 
 
 def _square(ring: Ring[S], direction: Vector[S]) -> S:
     return ring.normal(vector.dot(direction, direction))
-
-
-def _stroke(ring: Ring[S], twist: JointTwist[S]) -> S:
-    """|ω|², or |v|² of a translation."""
-    if _slides(ring, twist.direction):
-        return _square(ring, twist.moment)
-    return _square(ring, twist.direction)

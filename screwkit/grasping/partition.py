@@ -80,7 +80,7 @@ def blocks_of(grasp: ExactGrasp) -> Blocks:
         ]
         added = _beyond(spanned, vectors, prime)
         basis[block] = tuple(tuple(vector) for vector in added)
-        spanned = echelon([*spanned, *added], prime)
+        spanned += added
     actuated, passive, twists = (len(places[part]) for part in "apo")
     return Blocks(actuated, passive, twists, basis)
 
@@ -107,8 +107,8 @@ def _beyond(spanned: Rows, vectors: Rows, prime: int) -> list[list[int]]:
     Reduced by what their span has in common with the space, and by nothing else of it:
     what does not move in these vectors does not move in the basis.
     """
-    if not vectors:
-        return []
+    if not spanned or not vectors:
+        return echelon(vectors, prime)
     both = [*vectors, *spanned]
     relations = annihilator(
         [list(c) for c in zip(*both, strict=True)], len(both), prime
