@@ -275,10 +275,14 @@ def _j_row(
     wrench = (*row.wrench.moment, *row.wrench.force)
     acting = [(i, x) for i, x in enumerate(wrench) if not ring.is_zero(x)]
     found = [ring.zero] * len(place)
+    if not acting:
+        return tuple(found)
+    first, *others = acting
     for label, sign in felt:
         if label in place:
-            twist, power = twists[label], ring.zero
-            for i, x in acting:
+            twist = twists[label]
+            power = first[1] * twist[first[0]]
+            for i, x in others:
                 power = power + x * twist[i]
             found[place[label]] = ring.normal(power if sign > 0 else -power)
     return tuple(found)

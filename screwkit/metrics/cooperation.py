@@ -17,7 +17,14 @@ import numpy as np
 
 from screwkit.algebra.batch import Array
 from screwkit.grasping.exact_grasp import Ranks
-from screwkit.metrics.indices import FloatGrasp, Index, Indices, Weights, indices
+from screwkit.metrics.indices import (
+    FloatGrasp,
+    Index,
+    Indices,
+    Weights,
+    both_indices,
+    internal_index,
+)
 
 
 @dataclass(frozen=True)
@@ -88,7 +95,7 @@ def cooperation(
         acting = grasp.g[:, list(rows)]
         weighted = acting if weights.wrench is None else weights.wrench @ acting
         metric[np.ix_(rows, rows)] = 0.5 * acting.T @ weighted
-    inside = indices(grasp, replace(weights, forces=metric)).internal
+    inside = internal_index(grasp, replace(weights, forces=metric))
     singles = [_single(grasp, weights, arm) for arm in arms]
     internal, relative = _inside(inside, grasp, contacts)
     return Shared(
@@ -96,8 +103,10 @@ def cooperation(
         _axes(whole.force),
         relative,
         internal,
-        tuple((_axes(one.kinematic), _axes(one.force)) for one in singles),
-        _shares(whole.kinematic, singles) if combined else np.zeros((0, 0)),
+        tuple((_axes(motion), _axes(force)) for motion, force in singles),
+        _shares(whole.kinematic, [motion for motion, _ in singles])
+        if combined
+        else np.zeros((0, 0)),
     )
 
 
@@ -105,7 +114,8 @@ def _axes(index: Index) -> AxesOf:
     return AxesOf(np.sqrt(index.finite), index.task)
 
 
-def _single(grasp: FloatGrasp, weights: Weights, arm: ArmPart) -> Indices:
+def _single(grasp: FloatGrasp, weights: Weights, arm: ArmPart) -> tuple[Index, Index]:
+    """The kinematic and the force index of one arm."""
     rows, moving = list(arm.rows), list(arm.actuated)
 
     def part(weight: Array | None) -> Array | None:
@@ -117,7 +127,7 @@ def _single(grasp: FloatGrasp, weights: Weights, arm: ArmPart) -> Indices:
         grasp.gt[rows],
         arm.ranks,
     )
-    return indices(
+    return both_indices(
         own,
         replace(
             weights,
@@ -154,12 +164,12 @@ def _inside(
     )
 
 
-def _shares(whole: Index, singles: Sequence[Indices]) -> Array:
+def _shares(whole: Index, singles: Sequence[Index]) -> Array:
     """dᵀ A_i d over dᵀ (Σ A) d, A the inverse of an arm's J~ J~ᵀ, along each axis d."""
     if not len(whole.finite):
         return np.zeros((0, 0))
     basis = np.linalg.qr(whole.task.T)[0]
-    parts = [np.linalg.inv(basis.T @ one.kinematic.shape @ basis) for one in singles]
+    parts = [np.linalg.inv(basis.T @ one.shape @ basis) for one in singles]
     axes = whole.task @ basis
     along = np.array([np.einsum("ij,jk,ik->i", axes, part, axes) for part in parts])
     return np.asarray(along / along.sum(axis=0))

@@ -125,8 +125,7 @@ def indices(grasp: FloatGrasp, weights: Weights) -> Indices:
     Raises:
         numpy.linalg.LinAlgError: If a weight is not positive definite.
     """
-    ranks = grasp.ranks
-    passive = split(grasp.jp, None if ranks is None else ranks.p)
+    passive = _passive(grasp)
     kinematic, spans = _kinematic(grasp, weights, passive)
     statics = _Statics.of(grasp, weights, passive)
     force = _force(statics)
@@ -144,6 +143,29 @@ def indices(grasp: FloatGrasp, weights: Weights) -> Indices:
         min(statics.gap, *(span.gap for span in spans)),
         min(span.least for span in spans),
     )
+
+
+def both_indices(grasp: FloatGrasp, weights: Weights) -> tuple[Index, Index]:
+    """The kinematic and the force index alone.
+
+    Arguments and errors are those of `indices`.
+    """
+    passive = _passive(grasp)
+    kinematic, _ = _kinematic(grasp, weights, passive)
+    return kinematic, _force(_Statics.of(grasp, weights, passive))
+
+
+def internal_index(grasp: FloatGrasp, weights: Weights) -> Index:
+    """The internal-force index alone.
+
+    Arguments and errors are those of `indices`.
+    """
+    statics = _Statics.of(grasp, weights, _passive(grasp))
+    return _internal(statics, grasp, weights)
+
+
+def _passive(grasp: FloatGrasp) -> Split:
+    return split(grasp.jp, None if grasp.ranks is None else grasp.ranks.p)
 
 
 def _kinematic(
