@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from functools import partial
 from math import pi
 
 import numpy as np
@@ -116,3 +117,23 @@ def test_one_whole_analysis(name: str) -> None:
         f"null space in sympy {other * 1000:.0f} ms: {other / best:.1f} times"
     )
     assert other / best > 1
+
+
+GRASPS = [
+    "five_bar_15", "nao_t14", "dual_puma", "scara_pair_hard", "hand_three_mixed",
+    "stewart_alpha_beta", "dual_planar_3r", "delta_ss", "gough_6sps", "h4",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", GRASPS)
+def test_one_analysis_at_a_posture(name: str) -> None:
+    """All of it against reading the file; 50 ms are the goal on a quiet machine."""
+    sk.manipulability(sk.load(name))
+    reading = min(seconds(lambda: sk.load(name)) for _ in range(9))
+    cases = [sk.load(name) for _ in range(9)]
+    best = min(seconds(partial(sk.manipulability, case)) for case in cases)
+    print(
+        f"\n    {name}: {best * 1000:.0f} ms, reading the file {reading * 1000:.0f} ms: "
+        f"{best / reading:.1f} times that"
+    )
+    assert best / reading < 10
