@@ -133,7 +133,7 @@ def test_one_analysis_at_a_posture(name: str) -> None:
     cases = [sk.load(name) for _ in range(9)]
     best = min(seconds(partial(sk.manipulability, case)) for case in cases)
     print(
-        f"\n    {name}: {best * 1000:.0f} ms, reading the file {reading * 1000:.0f} ms: "
+        f"\n    {name}: {best * 1000:.0f} ms, reading its file {reading * 1000:.0f}: "
         f"{best / reading:.1f} times that"
     )
     assert best / reading < 10
