@@ -77,7 +77,13 @@ class ModularRing:
 
     def rational(self, value: Fraction) -> Residue:
         """Numerator over denominator mod p."""
-        return nmod(value.numerator, self.prime) / nmod(value.denominator, self.prime)
+        above, below = value.numerator, value.denominator
+        if below == 1:
+            # Coordinates are 0 or 1 as a rule: one object serves a whole mechanism.
+            if not above:
+                return self._zero
+            return self._one if above == 1 else nmod(above, self.prime)
+        return nmod(above, self.prime) / nmod(below, self.prime)
 
     def symbol(self, name: str) -> Residue:
         """The value drawn for this symbol."""

@@ -9,7 +9,7 @@ References: [Schwartz1980].
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, Generic, Protocol, TypeAlias, TypeVar
@@ -122,13 +122,24 @@ def exact_values(
 
 
 def exact_posture(mechanism: Mechanism, seed: int, bits: int = 61) -> ExactPosture:
-    """A posture of a mechanism, random where it has symbols.
+    """One of `exact_postures`.
+
+    Raises:
+        UndecidedError: See `exact_values`.
+    """
+    return exact_postures(mechanism, (seed,), bits)[0]
+
+
+def exact_postures(
+    mechanism: Mechanism, seeds: Sequence[int] = (1, 2), bits: int = 61
+) -> tuple[ExactPosture, ...]:
+    """Postures of a mechanism, random where it has symbols.
 
     Args:
         mechanism: Any mechanism; joint variables count as symbols, but those of
             ``reference`` files are taken as 0 where loops tie them (see `at_zero`).
-        seed: Chooses the prime and the residues.
-        bits: Size of the prime.
+        seeds: One for each posture; chooses the prime and the residues.
+        bits: Size of the primes.
 
     Raises:
         UndecidedError: See `exact_values`.
@@ -137,7 +148,11 @@ def exact_posture(mechanism: Mechanism, seed: int, bits: int = 61) -> ExactPostu
     def twists(ring: Any) -> Mapping[str, JointTwist[Any]]:
         return joint_twists(mechanism, ring, mechanism.base)
 
-    found = exact_values(twists, seed, bits)
+    seen = surveyed(twists)
+    return tuple(_posture(exact_values(twists, seed, bits, seen)) for seed in seeds)
+
+
+def _posture(found: ExactValues[Mapping[str, JointTwist[Any]]]) -> ExactPosture:
     return ExactPosture(
         {
             label: tuple(int(x) for x in twist.coordinates)

@@ -20,7 +20,7 @@ from screwkit.kinematics.exact_postures import (
     ExactPosture,
     ResidueTwist,
     at_zero,
-    exact_posture,
+    exact_postures,
 )
 from screwkit.kinematics.loop_basis import short_loops
 from screwkit.kinematics.placement import why_tied
@@ -153,7 +153,8 @@ class Network:
         Where loops tie joint variables together the file's own posture is taken.
         """
         mechanism = at_zero(self.mechanism) if self.tied else self.mechanism
-        return exact_posture(mechanism, 1), exact_posture(mechanism, 2)
+        one, other = exact_postures(mechanism)
+        return one, other
 
     @cached_property
     def motions(self) -> tuple[Motion, Motion]:
