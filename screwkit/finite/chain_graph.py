@@ -90,13 +90,13 @@ class ChainGraph:
     @cached_property
     def fundamental_cycles(self) -> tuple[Cycle, ...]:
         """A basis: the known loops, or one for every edge outside a tree."""
-        paths = self.paths
         if self.loops:
             number_of = {edge.name: number for number, edge in enumerate(self.edges)}
             return tuple(
                 tuple((number_of[name], sign) for name, sign in loop)
                 for loop in self.loops
             )
+        paths = self.paths
         tree = {path[-1][0] for path in paths.values() if path}
         cycles = []
         for number, edge in enumerate(self.edges):
@@ -234,11 +234,11 @@ def with_parameters(
     numbers: dict[int, int] = {}
     kept = []
     for edge in edges:
+        number = -1
         if edge.screw:
             number = numbers.setdefault(edge.parameter, len(numbers))
-            kept.append(replace(edge, parameter=number))
-        else:
-            kept.append(replace(edge, parameter=-1))
+        same = edge.parameter == number
+        kept.append(edge if same else replace(edge, parameter=number))
     names = {edge.name for edge in kept}
     own = tuple(loop for loop in loops if loop[0][0] in names)
     return ChainGraph(tuple(kept), len(numbers), prime, own)

@@ -301,7 +301,8 @@ def _limb_chains(mechanism: Mechanism) -> tuple[LimbChain, ...]:
         if limb.path is not None:
             found.append(_limb_chain(mechanism, limb.name, limb.path))
             continue
-        own = [joint for joint in mechanism.joints if joint.name in limb.joints]
+        names = frozenset(limb.joints)
+        own = [joint for joint in mechanism.joints if joint.name in names]
         elements = chain_between(own, mechanism.base, mechanism.platform)
         if mechanism.geometry == "mdh" or (elements is None and mechanism.parameters):
             raise UndecidedError(
@@ -311,7 +312,8 @@ def _limb_chains(mechanism: Mechanism) -> tuple[LimbChain, ...]:
         nested = elements is not None
         elements = elements or tuple(joint.name for joint in own)
         chain = joints_of(elements)
-        inside = [joint for joint in own if joint.name in chain]
+        kept = frozenset(chain)
+        inside = [joint for joint in own if joint.name in kept]
         labels = [x for j in inside for x in freedom_labels(j, mechanism.space)]
         found.append(
             LimbChain(

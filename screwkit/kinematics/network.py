@@ -175,7 +175,8 @@ class Network:
 
     def part(self, joints: Collection[str], ends: Sequence[str]) -> Network:
         """Some of the joints alone, seen from the first of ``ends`` to the last."""
-        own = tuple(j for j in self.mechanism.joints if j.name in joints)
+        chosen = frozenset(joints)
+        own = tuple(j for j in self.mechanism.joints if j.name in chosen)
         met = {link for joint in own for link in (joint.parent, joint.child)}
         kept = tuple(x for x in self.mechanism.links if x in met or x in ends)
         return Network(

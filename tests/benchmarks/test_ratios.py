@@ -11,7 +11,7 @@ import subprocess
 import sys
 import time
 from fractions import Fraction
-from functools import cache
+from functools import cache, partial
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -29,6 +29,7 @@ from screwkit.algebra.expression import Number
 from screwkit.algebra.factors import FactorLibrary, factor
 from screwkit.algebra.minors import minors_of
 from screwkit.algebra.text import expression_text
+from screwkit.case import Case
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.frames import FramedTwists, framed_twists, shortest_twists
 from screwkit.kinematics.network import Motion, Network, motion
@@ -36,6 +37,7 @@ from screwkit.loci.actuation import passive_joints
 from screwkit.loci.passive import PassiveSystem
 from screwkit.mechanism.files import read_mechanism
 from screwkit.mechanism.model import Joint, JointType, Mechanism
+from screwkit.questions import mobility
 
 pytestmark = pytest.mark.benchmark
 ROOT = Path(__file__).parents[2]
@@ -364,6 +366,29 @@ def test_scissor_chain_grows_with_its_length() -> None:
         f"{collected:.3f} s"
     )
     assert collected < 5
+    assert long / short <= 5
+
+
+def test_mobility_of_a_scissor_chain_grows_with_its_length() -> None:
+    """The whole answer: limbs, counts, platform, full-cycle mobility."""
+    chains = {cells: scissor_chain(cells) for cells in (500, 2000)}
+    whole = mobility(Case(chains[2000]))
+    assert (whole.loop_rank, whole.instantaneous_mobility) == (5997, 1)
+    times = dict.fromkeys(chains, 60.0)
+    gc.disable()
+    try:
+        for cells in 5 * tuple(chains):
+            gc.collect()
+            case = Case(chains[cells])
+            times[cells] = min(times[cells], best(partial(mobility, case), 1))
+    finally:
+        gc.enable()
+    short, long = times.values()
+    say(
+        f"mobility of a scissor chain: {short:.2f} s for 500 cells, {long:.2f} s for "
+        f"2000: {long / short:.1f} times for 4 times the length"
+    )
+    assert long < 5
     assert long / short <= 5
 
 
