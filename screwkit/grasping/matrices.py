@@ -143,6 +143,7 @@ def grasp_matrices(
     turning = frozenset(
         label for label in order if not _is_zero(ring, twists[label].direction)
     )
+    shifted = None if _is_zero(ring, placed.centre) else placed.centre
     return GraspMatrices(
         holds,
         rows,
@@ -151,7 +152,7 @@ def grasp_matrices(
         tuple(
             _j_row(row, felt[row.hold.joint], place, ring, coordinates) for row in rows
         ),
-        tuple(_gt_row(row, mechanism, ring, placed.centre) for row in rows),
+        tuple(_gt_row(row, mechanism, ring, shifted) for row in rows),
         tuple(_square(ring, row.wrench.direction) for row in rows),
         tuple(
             _square(
@@ -289,14 +290,17 @@ def _j_row(
 
 
 def _gt_row(
-    row: GraspRow[S], mechanism: Mechanism, ring: Ring[S], centre: Vector[S]
+    row: GraspRow[S], mechanism: Mechanism, ring: Ring[S], centre: Vector[S] | None
 ) -> tuple[S, ...]:
+    """The wrench about the reference point, None where that is the origin."""
     coordinates = twist_coordinates(mechanism)
     if not row.hold.on_object:
         return (ring.zero,) * len(coordinates)
-    force = row.wrench.force
-    moment = vector.subtract(row.wrench.moment, vector.cross(centre, force))
-    whole = (*vector.normal(ring, moment), *force)
+    force, moment = row.wrench.force, row.wrench.moment
+    if centre is not None:
+        about = vector.subtract(moment, vector.cross(centre, force))
+        moment = vector.normal(ring, about)
+    whole = (*moment, *force)
     return tuple(whole[i] for i in coordinates)
 
 

@@ -128,9 +128,8 @@ def _vector(
     support = [i for i, x in enumerate(vector) if x]
     if len(support) > LARGEST:
         return None
-    order = sorted(
-        range(len(rows)), key=lambda r: sum(len(rows[r][i]) for i in support)
-    )
+    touching = [r for r, row in enumerate(residues) if any(row[i] for i in support)]
+    order = sorted(touching, key=lambda r: sum(len(rows[r][i]) for i in support))
     known = [[residues[r][i] for i in support] for r in order]
     chosen = [order[k] for k in independent(known, prime)[: len(support) - 1]]
     lines = [[rows[r][i] for i in support] for r in chosen]
