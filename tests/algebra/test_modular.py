@@ -17,6 +17,7 @@ from screwkit.algebra.modular import (
     ResampleError,
     annihilator,
     echelon,
+    pivots,
     prime_for,
     rank,
 )
@@ -180,3 +181,7 @@ def test_rank_annihilator_and_echelon_go_together(
     assert len(reduced) == found
     assert rank([*rows, *reduced], prime) == found
     assert echelon([*reduced, *rows], prime) == reduced
+    leading = [rank([row[:k] for row in residues], prime) for k in range(6)]
+    assert pivots(residues, prime) == [
+        k for k in range(5) if leading[k + 1] > leading[k]
+    ]

@@ -119,6 +119,26 @@ def test_chance_is_never_a_number() -> None:
             assert back.number(source.randrange(p), source.randrange(q)) is None
 
 
+@given(st.integers(1, 2**35 - 1), st.integers(1, 2**35 - 1), st.sampled_from([-1, 1]))
+def test_rationals_come_back_up_to_what_chance_allows(
+    above: int, below: int, sign: int
+) -> None:
+    """Pairs up to h are (2h + 1)² of more than 2¹²⁰: rare enough below 2³⁵."""
+    value = Fraction(sign * above, below)
+    found = Reconstruction.between(*USUAL).number(
+        *(int(ring.rational(value)) for ring in USUAL)
+    )
+    assert found is not None
+    assert [weight for _, weight in found.terms] == [value]
+
+
+@pytest.mark.parametrize("above", [2**38 + 1, 2**45 + 1, 1])
+@pytest.mark.parametrize("below", [2**38 - 1, 2**45 - 1])
+def test_longer_rationals_might_be_chance(above: int, below: int) -> None:
+    known = (int(ring.rational(Fraction(above, below))) for ring in USUAL)
+    assert Reconstruction.between(*USUAL).number(*known) is None
+
+
 @given(small, small)
 def test_both_primes_must_agree(first: Fraction, second: Fraction) -> None:
     a, b = (int(r.rational(x)) for r, x in zip(USUAL, (first, second), strict=True))

@@ -6,11 +6,16 @@ spaces are intersected here with FLINT's rational matrices, another route altoge
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import numpy as np
+import pytest
 from flint import fmpq_mat
 from grasping.random_grasps import PRIME, Drawn, grasp, grasps
 from hypothesis import given, settings
 
+import screwkit as sk
+from screwkit.grasping import symbolic_blocks
 from screwkit.grasping.partition import BLOCKS, MOVING, blocks_of
 from screwkit.grasping.statics import contact_forces
 from screwkit.metrics.float_ranks import float_ranks
@@ -155,3 +160,19 @@ def test_floats_count_as_exact_ranks_do() -> None:
         assert gap > 1e3
         assert ranks == exact.ranks
         assert dimensions == blocks_of(exact).dimensions
+
+
+def test_vectors_that_grow_too_long_are_left_to_numbers(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Of the same dimensions, at the values of the file."""
+    whole = sk.manipulability(sk.load("five_bar")).partition
+    monkeypatch.setattr(symbolic_blocks, "PRODUCTS", 0)
+    cut = sk.manipulability(sk.load("five_bar")).partition
+    assert whole.symbolic
+    assert not cut.symbolic
+    assert cut.gamma == whole.gamma
+    for block in cut.blocks:
+        for motion in block.motions:
+            assert motion.rates
+            assert all(Fraction(rate) for rate in motion.rates)
