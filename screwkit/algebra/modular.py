@@ -231,9 +231,13 @@ def annihilator(
     rows: Sequence[Sequence[Residue]], width: int, prime: int
 ) -> list[list[int]]:
     """Basis of the vectors x with row·x = 0 for every row."""
-    if not rows:
-        return [[int(i == j) for j in range(width)] for i in range(width)]
-    kernel, nullity = residue_matrix(rows, width, prime).nullspace()
+    return null_vectors(residue_matrix(rows, width, prime))
+
+
+def null_vectors(matrix: Any) -> list[list[int]]:
+    """The same of a matrix in FLINT's form."""
+    kernel, nullity = matrix.nullspace()
+    width = matrix.ncols()
     return [[int(kernel[i, j]) for i in range(width)] for j in range(int(nullity))]
 
 
@@ -241,17 +245,11 @@ def independent(rows: Sequence[Sequence[Residue]], prime: int) -> list[int]:
     """Numbers of the first rows that are independent."""
     if not rows or not rows[0]:
         return []
-    return _pivots(residue_matrix(rows, len(rows[0]), prime).transpose())
+    return pivots(residue_matrix(rows, len(rows[0]), prime).transpose())
 
 
-def pivots(rows: Sequence[Sequence[Residue]], prime: int) -> list[int]:
+def pivots(matrix: Any) -> list[int]:
     """Numbers of the first columns that are independent, ascending."""
-    if not rows or not rows[0]:
-        return []
-    return _pivots(residue_matrix(rows, len(rows[0]), prime))
-
-
-def _pivots(matrix: Any) -> list[int]:
     reduced, rank = matrix.rref()
     chosen, start = [], 0
     for line in range(int(rank)):

@@ -2,12 +2,23 @@
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+from flint import nmod_mat
 
 from screwkit.algebra.modular import residue_matrix
 
 Rows: TypeAlias = list[list[int]]
 """A matrix of residues; bases have a vector in each row."""
+
+
+def chosen_columns(matrix: Any, places: Sequence[int], prime: int) -> Any:
+    """Some columns of a matrix in FLINT's form, by their numbers."""
+    selector = nmod_mat(matrix.ncols(), len(places), prime)
+    for column, place in enumerate(places):
+        selector[place, column] = 1
+    return matrix * selector
 
 
 def product(left: Rows, right: Rows, prime: int) -> Rows:

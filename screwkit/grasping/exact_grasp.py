@@ -17,8 +17,9 @@ from itertools import accumulate
 from typing import Any
 
 from screwkit.algebra.constants import ConstantField
-from screwkit.algebra.modular import ModularRing, pivots, rank
+from screwkit.algebra.modular import ModularRing, pivots, rank, residue_matrix
 from screwkit.algebra.reconstruction import Reconstruction
+from screwkit.algebra.residue_matrices import chosen_columns
 from screwkit.grasping.matrices import GraspMatrices, grasp_matrices, grasp_rows
 from screwkit.kinematics.exact_postures import at_zero, exact_values, surveyed
 from screwkit.kinematics.placement import why_tied
@@ -137,18 +138,27 @@ class ExactGrasp:
         """Coordinates of an object twist: six, or three in the plane."""
         return self.matrices.twist_size
 
-    def columns(self, parts: str) -> list[list[int]]:
-        """Rows of the columns of J_a (``a``), J_p (``p``) and −Gᵀ (``o``), in order."""
-        split = self.actuated
-        whole = []
-        for j, gt in zip(self.j, self._negative_gt, strict=True):
-            own = {"a": j[:split], "p": j[split:], "o": gt}
-            whole.append([x for part in parts for x in own[part]])
-        return whole
+    @cached_property
+    def whole(self) -> list[list[int]]:
+        """Rows of [J_a J_p −Gᵀ]."""
+        pairs = zip(self.j, self.gt, strict=True)
+        return [[*j, *(-x % self.prime if x else 0 for x in gt)] for j, gt in pairs]
+
+    def part(self, parts: str) -> Any:
+        """The columns of J_a (``a``), J_p (``p``) and −Gᵀ (``o``), in FLINT's form."""
+        split, moving = self.actuated, len(self.matrices.freedoms)
+        places = {
+            "a": range(split),
+            "p": range(split, moving),
+            "o": range(moving, moving + self.twists),
+        }
+        chosen = [place for part in parts for place in places[part]]
+        return chosen_columns(self._matrix, chosen, self.prime)
 
     @cached_property
-    def _negative_gt(self) -> list[list[int]]:
-        return [[-x % self.prime for x in row] for row in self.gt]
+    def _matrix(self) -> Any:
+        width = len(self.matrices.freedoms) + self.twists
+        return residue_matrix(self.whole, width, self.prime)
 
     @cached_property
     def object_alone(self) -> int:
@@ -185,7 +195,7 @@ class ExactGrasp:
 
         def leading(parts: str) -> list[int]:
             """Ranks of the first part, of the first two …."""
-            chosen = pivots(self.columns(parts), self.prime)
+            chosen = pivots(self.part(parts))
             ends = accumulate(widths[part] for part in parts)
             return [bisect_left(chosen, end) for end in ends]
 

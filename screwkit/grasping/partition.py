@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from screwkit.algebra.modular import annihilator, echelon
+from screwkit.algebra.modular import annihilator, echelon, null_vectors
 from screwkit.algebra.residue_matrices import Rows, product
 from screwkit.grasping.exact_grasp import ExactGrasp
 
@@ -75,8 +75,7 @@ def blocks_of(grasp: ExactGrasp) -> Blocks:
             continue
         where = [i for part in "apo" if part in parts for i in places[part]]
         vectors = [
-            _spread(vector, where, width)
-            for vector in annihilator(grasp.columns(parts), len(where), prime)
+            _spread(vector, where, width) for vector in null_vectors(grasp.part(parts))
         ]
         added = _beyond(spanned, vectors, prime)
         basis[block] = tuple(tuple(vector) for vector in added)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from screwkit.algebra.modular import annihilator, echelon, independent
+from screwkit.algebra.modular import echelon, independent, null_vectors
 from screwkit.algebra.residue_matrices import Rows, product
 from screwkit.grasping.exact_grasp import ExactGrasp
 
@@ -47,14 +47,13 @@ class StaticBases:
 
 def contact_forces(grasp: ExactGrasp) -> ContactForces:
     """The four parts."""
-    prime, rows = grasp.prime, len(grasp.j)
+    prime = grasp.prime
 
     def unfelt(parts: str, known: Rows) -> Rows:
         """What completes ``known`` to all forces that these parts do not feel."""
         if len(known) == grasp.ranks.unfelt(parts):
             return []
-        columns = [list(column) for column in zip(*grasp.columns(parts), strict=True)]
-        vectors = annihilator(columns, rows, prime)
+        vectors = null_vectors(grasp.part(parts).transpose())
         return _complement(known, vectors, prime) if known else vectors
 
     silent = unfelt("apo", [])

@@ -108,7 +108,7 @@ def symbolic_blocks(
         ring.without_divisors((*j, *(-x for x in gt)))
         for j, gt in zip(matrices.j, matrices.gt, strict=True)
     ]
-    residues = grasp.columns("apo")
+    residues = grasp.whole
     return {
         block: tuple(
             _vector(ring, rows, residues, vector, grasp.prime)

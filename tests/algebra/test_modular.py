@@ -20,6 +20,7 @@ from screwkit.algebra.modular import (
     pivots,
     prime_for,
     rank,
+    residue_matrix,
 )
 from screwkit.algebra.parse import parse
 from screwkit.algebra.rational_values import rational_value
@@ -182,6 +183,6 @@ def test_rank_annihilator_and_echelon_go_together(
     assert rank([*rows, *reduced], prime) == found
     assert echelon([*reduced, *rows], prime) == reduced
     leading = [rank([row[:k] for row in residues], prime) for k in range(6)]
-    assert pivots(residues, prime) == [
+    assert pivots(residue_matrix(residues, 5, prime)) == [
         k for k in range(5) if leading[k + 1] > leading[k]
     ]
