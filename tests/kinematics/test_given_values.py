@@ -145,7 +145,7 @@ def test_the_commands_refuse_in_the_same_words(
     command: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with pytest.raises(SystemExit) as stop:
-        cli.main([command, "bennett", "--set", "a=0"])
+        cli.main([command, "bennett", "--set", "a=0", "--quiet"])
     assert stop.value.code == 2
     said = capsys.readouterr().err
     assert said == (
