@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from screwkit.metric_questions import manipulability as manipulability
     from screwkit.metric_questions import reach as reach
     from screwkit.metric_questions import sweep as sweep
+    from screwkit.metric_questions import view as view
     from screwkit.questions import analyze as analyze
     from screwkit.questions import assemble as assemble
     from screwkit.questions import follow as follow
@@ -40,6 +41,7 @@ _HOMES = {
     "screws": "screwkit.questions",
     "singularities": "screwkit.questions",
     "sweep": "screwkit.metric_questions",
+    "view": "screwkit.metric_questions",
 }
 __all__ = [
     "Case",
@@ -58,6 +60,7 @@ __all__ = [
     "screws",
     "singularities",
     "sweep",
+    "view",
 ]
 
 

@@ -48,6 +48,11 @@ class Given:
     variant: str | None = None
     actuated: Sequence[str] | None = None
 
+    @property
+    def values(self) -> Mapping[str, str]:
+        """Texts of all values, by symbol and joint variable."""
+        return {n: str(v) for n, v in {**self.set_values, **self.at}.items()}
+
 
 class Case:
     """A mechanism file, loaded.
@@ -79,6 +84,11 @@ class Case:
     def name(self) -> str:
         """The name in the file."""
         return self.mechanism.name
+
+    @property
+    def is_bundled(self) -> bool:
+        """Whether its file came with the package."""
+        return self.path is not None and self.path in _bundled_files()
 
     def refuse(self, place: Sequence[str | int], message: str) -> MechanismFileError:
         """The refusal of something in the file, with its line and column."""

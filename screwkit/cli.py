@@ -11,7 +11,7 @@ from typing import Annotated, NoReturn
 
 import typer
 
-from screwkit import errors
+from screwkit import errors, page_commands  # noqa: F401 -- registers its commands
 from screwkit.commands import app
 from screwkit.options import AsJson, Which
 from screwkit.requests import DEBUG

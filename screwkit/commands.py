@@ -22,7 +22,6 @@ from screwkit.options import (
     CertificateFile,
     Draw,
     Every,
-    Format,
     Index,
     Length,
     Memory,
@@ -67,7 +66,8 @@ app = typer.Typer(
 )
 
 
-def _answer(request: Any) -> NoReturn:
+def answer(request: Any) -> NoReturn:
+    """Ask, show, and leave with the exit code."""
     from screwkit.terminal import ask  # noqa: PLC0415
 
     raise typer.Exit(ask(request))
@@ -119,7 +119,7 @@ def mobility(
 
     Example: screwkit mobility bennett
     """
-    _answer(request_of("mobility", locals()))
+    answer(request_of("mobility", locals()))
 
 
 @app.command()
@@ -150,7 +150,7 @@ def screws(
     if body is not None or relative_to is not None:
         options = {"body": body or "", "relative_to": relative_to or ""}
         options["order"] = "linear" if order is Order.LINEAR else "angular"
-        _answer(request_of("relative_motion", given, **options))
+        answer(request_of("relative_motion", given, **options))
     request = request_of("screws", given)
     if order is Order.LINEAR:
         from dataclasses import replace  # noqa: PLC0415
@@ -158,7 +158,7 @@ def screws(
         from screwkit.reports.verdict import in_linear_order  # noqa: PLC0415
 
         request = replace(request, change=in_linear_order)
-    _answer(request)
+    answer(request)
 
 
 @app.command()
@@ -194,7 +194,7 @@ def singularities(
         from screwkit.delivery import show_all  # noqa: PLC0415
 
         request = replace(request, show=show_all)
-    _answer(request)
+    answer(request)
 
 
 @app.command()
@@ -269,7 +269,7 @@ def schemes(
 
     from screwkit import delivery  # noqa: PLC0415
 
-    _answer(
+    answer(
         replace(
             request,
             change=delivery.only_balanced if balanced else None,
@@ -299,7 +299,7 @@ def manipulability(
     Example: screwkit manipulability five_bar --actuated A,E
     """
     request = request_of("manipulability", locals(), length=length)
-    _answer(_drawn(request, draw))
+    answer(_drawn(request, draw))
 
 
 @app.command()
@@ -332,7 +332,7 @@ def reach(
         },
         length=length,
     )
-    _answer(_drawn(request, draw))
+    answer(_drawn(request, draw))
 
 
 def _drawn(request: Any, draw: Path | None) -> Any:
@@ -374,7 +374,7 @@ def sweep(
     Example: screwkit sweep stewart_alpha_beta --vary alpha=-pi:pi:61
     --vary beta=-pi:pi:61 --index kinematic.misfit --best least
     """
-    _answer(
+    answer(
         request_of(
             "sweep",
             locals(),
@@ -406,35 +406,4 @@ def analyze(
 
     Example: screwkit analyze nao_t14 --json
     """
-    _answer(request_of("analyze", locals()))
-
-
-@app.command()
-def report(
-    case: CaseName,
-    *,
-    form: Annotated[
-        Format, typer.Option("--format", help="What to write.")
-    ] = Format.LATEX,
-    output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="File or folder.")
-    ] = None,
-    variant: Variant = None,
-    set_values: Setting = None,
-    actuated: Actuated = None,
-    at: At = None,
-    timeout: Timeout = None,
-    memory: Memory = None,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
-) -> None:
-    """An article with everything: LaTeX with fragments and JSON, PDF or HTML.
-
-    Example: screwkit report nao_t14 --format pdf -o report.pdf
-    """
-    request = request_of("analyze", locals())
-    from dataclasses import replace  # noqa: PLC0415
-
-    from screwkit.delivery import deliver_report  # noqa: PLC0415
-
-    _answer(replace(request, deliver=deliver_report(form.value, output)))
+    answer(request_of("analyze", locals()))

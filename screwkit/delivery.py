@@ -14,12 +14,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from screwkit.errors import ScrewkitError
+from screwkit.errors import MissingToolError, ScrewkitError
 from screwkit.results.analysis import Analysis
 from screwkit.results.manipulability import Manipulability
 from screwkit.results.reach import Reach
 from screwkit.results.schemes import Schemes
 from screwkit.results.singularities import Singularities
+from screwkit.results.view import View
 
 Delivery = Callable[[Any], list[str]]
 
@@ -143,6 +144,23 @@ def deliver_picture(path: Path) -> Delivery:
 
 def _all(answer: Reach) -> list[Manipulability]:
     return list(answer.configurations)
+
+
+def open_page(answer: View) -> list[str]:
+    """Show the page of a view in a browser.
+
+    Raises:
+        MissingToolError: If there is no browser.
+    """
+    import webbrowser  # noqa: PLC0415
+
+    place = Path(answer.file).resolve()
+    if not webbrowser.open(place.as_uri()):
+        raise MissingToolError(
+            f"no browser was found to show {place}; open the file with one, or set "
+            f"the environment variable BROWSER"
+        )
+    return [f"opened {place}"]
 
 
 def deliver_report(form: str, output: Path | None) -> Delivery:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import platform
 import shutil
 import sys
+import webbrowser
 from dataclasses import dataclass
 from importlib import metadata
 from typing import Final
@@ -65,6 +66,12 @@ def findings() -> tuple[Finding, ...]:
         Finding("pdflatex", _program("pdflatex"), "reports as PDF", TEX_INSTALL),
         Finding("latexmk", _program("latexmk"), "reports as PDF", TEX_INSTALL),
         Finding(
+            "browser",
+            _browser(),
+            "view --open; the page itself is made without",
+            "apt-get install firefox-esr, or set BROWSER",
+        ),
+        Finding(
             "msolve",
             _program("msolve"),
             "certified real points of large systems (optional)",
@@ -83,6 +90,15 @@ def _version(package: str) -> str:
 
 def _program(name: str) -> str:
     return shutil.which(name) or ""
+
+
+def _browser() -> str:
+    """What `view --open` would use; empty where there is none."""
+    try:
+        found = webbrowser.get()
+    except webbrowser.Error:
+        return ""
+    return str(getattr(found, "name", "")) or "the system's own"
 
 
 def examine(*, as_json: bool) -> int:

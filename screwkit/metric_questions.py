@@ -19,6 +19,7 @@ from screwkit.reports import showing  # noqa: F401 -- answers show themselves
 from screwkit.results.manipulability import Manipulability
 from screwkit.results.reach import Reach
 from screwkit.results.sweep import Sweep
+from screwkit.results.view import View
 
 if TYPE_CHECKING:
     from screwkit.sweeps.answer import Map
@@ -109,6 +110,50 @@ def _measure(length: str) -> Expression | None:
             f"a length that counts as one radian is positive, and {length} is not"
         )
     return measure
+
+
+def view(case: Case, output: str | Path = "", progress: Progress = silent) -> View:
+    """The mechanism at its posture, with the screws of its platform, as a picture.
+
+    Args:
+        case: The mechanism; a number for each of its symbols.
+        output: Write one page with an interactive picture to this file, .html.
+        progress: Told about each stage.
+
+    Raises:
+        UndecidedError: If a symbol has no value, or the posture is not reached.
+        ScrewkitError: If the file has another ending.
+        UnwritableError: If the file cannot be written.
+    """
+    from screwkit.analyses import view as analysis  # noqa: PLC0415
+    from screwkit.reports.output import write  # noqa: PLC0415
+    from screwkit.reports.view_page import ENDINGS, view_page  # noqa: PLC0415
+
+    place = Path(output) if output else None
+    if place is not None and place.suffix.lower() not in ENDINGS:
+        raise ScrewkitError(f"{place}: a view is written as {' or '.join(ENDINGS)}")
+    answer = analysis.view(case.network, case.wanted, progress)
+    given = tuple(f"{name} = {value}" for name, value in case.given.values.items())
+    answer = replace(answer, given=given)
+    if place is None:
+        return answer
+    write(place, view_page(answer))
+    return replace(answer, file=str(place))
+
+
+def view_answer(case: Case, output: str = "", progress: Progress = silent) -> View:
+    """`view`, written in any case: beside the case's own file if no place is given.
+
+    The page of a bundled case goes to the current folder.
+
+    Args:
+        case: The mechanism.
+        output: As for `view`.
+        progress: Told about each stage.
+    """
+    own = None if case.is_bundled else case.path
+    folder = Path() if own is None else own.parent
+    return view(case, output or folder / f"{case.name}_view.html", progress)
 
 
 def sweep(

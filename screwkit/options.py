@@ -96,6 +96,7 @@ Draw = Annotated[
     Path | None,
     typer.Option(metavar="FILE", help="A picture too: .pdf, .svg or .png."),
 ]
+Open = Annotated[bool, typer.Option("--open", help="Show it in a browser at once.")]
 Size = Annotated[int | None, typer.Option(min=0, help="Actuated freedoms in a scheme.")]
 Candidates = Annotated[
     str | None, typer.Option(metavar="1,2,3", help="Freedoms to choose from.")

@@ -27,6 +27,7 @@ TARGETS: Final = {
     "reach": "screwkit.metric_questions:reach",
     "sweep": "screwkit.metric_questions:sweep_answer",
     "verify": "screwkit.verification:verify",
+    "view": "screwkit.metric_questions:view_answer",
     "analyze": "screwkit.questions:analyze",
 }
 

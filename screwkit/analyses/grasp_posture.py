@@ -43,6 +43,7 @@ class GraspPosture:
         pair: The grasp modulo two primes; None where the posture is no exact one.
         all_actuated: Whether the file declares no scheme.
         variables: Values of symbols and joint variables.
+        arrival: The motion that led there; None where the posture is an exact one.
     """
 
     symbolic: Mechanism
@@ -51,6 +52,7 @@ class GraspPosture:
     pair: GraspPair | None
     all_actuated: bool
     variables: Mapping[str, float]
+    arrival: Arrival | None = None
 
     @property
     def ranks(self) -> Ranks | None:
@@ -96,18 +98,27 @@ class NumericMechanism:
         matrices = grasp_on_arrival(self.numbers, there)
         variables = {**self.variables, **there.values}
         return GraspPosture(
-            self.symbolic, self.numbers, matrices, None, self.all_actuated, variables
+            self.symbolic,
+            self.numbers,
+            matrices,
+            None,
+            self.all_actuated,
+            variables,
+            there,
         )
 
 
 def numeric_mechanism(
-    network: Network, length: Expression | None = None
+    network: Network,
+    length: Expression | None = None,
+    asked: str = "manipulability is a number at a posture",
 ) -> NumericMechanism:
     """A mechanism with the values of its file.
 
     Args:
         network: Of the mechanism.
         length: Counts as one radian where the file gives no weights.
+        asked: Why numbers are needed, for the refusal.
 
     Raises:
         UndecidedError: If a symbol has no value or a table closes nowhere.
@@ -119,7 +130,7 @@ def numeric_mechanism(
     missing = [p.name for p in mechanism.parameters if p.name not in values]
     if missing:
         raise UndecidedError(
-            f"manipulability is a number at a posture, and {', '.join(missing)} "
+            f"{asked}, and {', '.join(missing)} "
             f"{'has' if len(missing) == 1 else 'have'} no value: --set {missing[0]}=…"
         )
     table = closed_table(Network(mechanism))
@@ -133,7 +144,10 @@ def numeric_mechanism(
 
 
 def grasp_posture(
-    network: Network, wanted: Mapping[str, Expression], length: Expression | None
+    network: Network,
+    wanted: Mapping[str, Expression],
+    length: Expression | None,
+    asked: str = "manipulability is a number at a posture",
 ) -> GraspPosture:
     """The grasp of a mechanism at the posture that is asked for.
 
@@ -141,11 +155,12 @@ def grasp_posture(
         network: Of the mechanism.
         wanted: Values of joint variables that loops tie together.
         length: Counts as one radian where the file gives no weights.
+        asked: Why numbers are needed, for the refusal.
 
     Raises:
         UndecidedError: If a symbol has no value or the posture is not reached.
     """
-    known = numeric_mechanism(network, length)
+    known = numeric_mechanism(network, length, asked)
     mechanism, numbers = known.symbolic, known.numbers
     if wanted or known.start is not None:
         there = arrival_at(numbers, wanted, known.start)

@@ -12,9 +12,19 @@ from dataclasses import dataclass
 import numpy as np
 
 from screwkit.algebra.batch import Array
-from screwkit.finite.exponentials import body_jacobian, loop_jacobian, stance_of
-from screwkit.finite.posture_model import PostureModel, scaled, with_locked
-from screwkit.finite.spanning_forest import forest_of
+from screwkit.finite.exponentials import (
+    Stance,
+    body_jacobian,
+    loop_jacobian,
+    stance_of,
+)
+from screwkit.finite.posture_model import (
+    PostureModel,
+    characteristic_length,
+    scaled,
+    with_locked,
+)
+from screwkit.finite.spanning_forest import Forest, forest_of
 
 CLEAR = 1e3
 """Smallest ratio between singular values that count and those that do not."""
@@ -74,11 +84,7 @@ def numbers_at(model: PostureModel, locked: Collection[str] = ()) -> PostureNumb
     matrix = loop_jacobian(forest, stance)[0]
     freedoms = len(own.screws)
     rank, kernel, gap = _split(matrix, freedoms)
-    if own.platform == own.base:
-        twists = np.zeros((0, 6))
-    else:
-        node = forest.nodes[own.platform]
-        twists = (body_jacobian(forest, stance, node)[0] @ kernel).T
+    twists = _of_platform(own, forest, stance, kernel)
     dimension, first = _rank(twists)
     turning, second = _rank(_basis(twists, dimension)[:, :3])
     wrenches = _reciprocal(_basis(twists, dimension))
@@ -91,6 +97,51 @@ def numbers_at(model: PostureModel, locked: Collection[str] = ()) -> PostureNumb
         len(wrenches) - forces,
         min(gap, first, second, third),
     )
+
+
+def platform_screws(
+    model: PostureModel, *, planar: bool = False
+) -> tuple[Array, Array]:
+    """The platform's twists and constraint wrenches at the posture of a model.
+
+    Args:
+        model: At a closed posture.
+        planar: Leave out the wrenches that a planar file does not speak of.
+
+    Returns:
+        A basis of the twists (ω; v) and one of the wrenches (f; m) that do no work on
+        any of them, shape (dimension, 6) each, about the base origin in file lengths.
+    """
+    own = scaled(model)
+    forest = forest_of(own)
+    stance = stance_of(own, forest)
+    matrix = loop_jacobian(forest, stance)[0]
+    kernel = _split(matrix, len(own.screws))[1]
+    spanning = _of_platform(own, forest, stance, kernel)
+    twists = _basis(spanning, _rank(spanning)[0])
+    centre = characteristic_length(model.joints)[0]
+    outside = np.eye(6)[[0, 1, 5] if planar else []]
+    wrenches = _reciprocal(np.concatenate([twists, outside]))
+    return (
+        _at_origin(twists, centre, model.length),
+        _at_origin(wrenches, centre, model.length),
+    )
+
+
+def _of_platform(
+    model: PostureModel, forest: Forest, stance: Stance, kernel: Array
+) -> Array:
+    """Twists that span what the joint rates of a kernel do with the platform."""
+    if model.platform == model.base:
+        return np.zeros((0, 6))
+    node = forest.nodes[model.platform]
+    return np.asarray((body_jacobian(forest, stance, node)[0] @ kernel).T)
+
+
+def _at_origin(screws: Array, centre: Array, length: float) -> Array:
+    """Screws about a centre, measured by a length, about the origin in file lengths."""
+    moments = length * screws[:, 3:] + np.cross(centre, screws[:, :3])
+    return np.concatenate([screws[:, :3], moments], axis=1)
 
 
 def connectivity_at(model: PostureModel) -> tuple[tuple[int, ...], ...] | None:

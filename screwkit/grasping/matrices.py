@@ -72,6 +72,8 @@ class GraspMatrices(Generic[S]):
         joint_of: The joint of each freedom.
         twists: Of all freedoms, about the base origin.
         slipping: Passive freedoms of contacts that carry a body.
+        carried: Where each body has been carried from where the file describes it;
+            empty where all stand as described.
     """
 
     holds: Holds
@@ -88,6 +90,7 @@ class GraspMatrices(Generic[S]):
     slipping: tuple[str, ...]
     joint_of: Mapping[str, str]
     twists: Mapping[str, JointTwist[S]]
+    carried: Mapping[str, Displacement[S]]
 
     @property
     def freedoms(self) -> tuple[str, ...]:
@@ -167,6 +170,7 @@ def grasp_matrices(
         tuple(label for name in holds.passing for label in labels[name]),
         {label: twists[label].joint for label in order},
         twists,
+        placed.carried,
     )
 
 
@@ -179,12 +183,14 @@ class PlacedRows(Generic[S]):
         rows: In the order of `GraspMatrices`.
         twists: Of all freedoms, about the base origin.
         centre: The reference point, in base coordinates.
+        carried: Where each body has been carried; empty where all stand as described.
     """
 
     holds: Holds
     rows: tuple[GraspRow[S], ...]
     twists: Twists[S]
     centre: Vector[S]
+    carried: Mapping[str, Displacement[S]]
 
 
 def grasp_rows(
@@ -230,7 +236,7 @@ def grasp_rows(
             ]
         forces = [row for row in own if row.wrench.kind != "couple"]
         rows += [*forces, *(row for row in own if row.wrench.kind == "couple")]
-    return PlacedRows(holds, tuple(rows), twists, centre)
+    return PlacedRows(holds, tuple(rows), twists, centre, carried)
 
 
 def _has_rate(joint: Joint, holds: Holds) -> bool:

@@ -8,25 +8,38 @@ from typing import Final
 import numpy as np
 
 from screwkit.algebra.batch import Array
+from screwkit.algebra.evaluation import evaluate
 from screwkit.grasping.matrices import GraspMatrices
-from screwkit.mechanism.joints import CATALOGUE, freedom_labels
+from screwkit.kinematics.loops import ring_at
+from screwkit.mechanism.joints import CATALOGUE, RIGID, freedom_labels
 from screwkit.mechanism.model import Joint, JointType, Mechanism
 from screwkit.results.scene import BodyShape, JointLook, JointShape, Point, Scene
+from screwkit.screw import vector
 
 _BALLS: Final = (JointType.SPHERICAL, JointType.UNIVERSAL)
+_ANYWHERE: Final = RIGID | {JointType.PRISMATIC}
+"""Joints whose freedoms do not depend on a point."""
 MOST_JOINTS: Final = 200
-"""Joints up to which a picture is made."""
+"""Joints up to which a picture is printed."""
 
 
 def scene_of(mechanism: Mechanism, matrices: GraspMatrices[Array]) -> Scene | None:
-    """The mechanism where the grasp stands; None where it is too large to draw.
+    """The mechanism where the grasp stands; None where it is too large for print.
+
+    Arguments are those of `whole_scene`.
+    """
+    if len(mechanism.joints) > MOST_JOINTS:
+        return None
+    return whole_scene(mechanism, matrices)
+
+
+def whole_scene(mechanism: Mechanism, matrices: GraspMatrices[Array]) -> Scene:
+    """The mechanism where the grasp stands, however large it is.
 
     Args:
         mechanism: Symbols with numbers.
         matrices: The grasp.
     """
-    if len(mechanism.joints) > MOST_JOINTS:
-        return None
     places = _places(mechanism, matrices)
     points: dict[str, list[Point]] = {link: [] for link in mechanism.links}
     shapes = []
@@ -70,7 +83,7 @@ def _look(joint: Joint) -> JointLook:
 def _places(
     mechanism: Mechanism, matrices: GraspMatrices[Array]
 ) -> dict[str, tuple[Point | None, Point]]:
-    """A point and a direction of every joint; sliding ones without a point follow."""
+    """A point and a direction of every joint."""
     twists = matrices.twists
     held = {row.hold.joint: row.wrench for row in matrices.rows}
     found: dict[str, tuple[Point | None, Point]] = {}
@@ -84,24 +97,57 @@ def _places(
             placed = joint.mdh is not None or joint.point is not None
             point = _floats(twist.point) if placed else None
             found[joint.name] = point, _unit(_floats(along))
-        elif joint.name in held:
+        elif joint.name in held and not _is_placeless(joint):
             found[joint.name] = _floats(held[joint.name].point), zero
         else:
             found[joint.name] = None, zero
-        if CATALOGUE[joint.type].contact and joint.name in held:
-            normal = _normal(matrices, joint.name)
+        contact = CATALOGUE[joint.type].contact
+        if contact and joint.name in held and not _is_placeless(joint):
+            normal = _normal(mechanism, matrices, joint)
             found[joint.name] = _floats(held[joint.name].point), normal
-    for joint in mechanism.joints:
-        if found[joint.name][0] is None and joint.type is JointType.PRISMATIC:
-            found[joint.name] = _between(mechanism, joint, found), found[joint.name][1]
-    return found
+    return _all_placed(mechanism, found, _floats(matrices.reference_point))
 
 
-def _normal(matrices: GraspMatrices[Array], name: str) -> Point:
-    for row in matrices.rows:
-        if row.hold.joint == name and row.wrench.component == "normal":
-            return _unit(_floats(row.wrench.direction))
-    return (0.0, 0.0, 0.0)
+def _is_placeless(joint: Joint) -> bool:
+    given = joint.point is not None or joint.mdh is not None
+    return joint.type in _ANYWHERE and not given
+
+
+def _all_placed(
+    mechanism: Mechanism, found: Mapping[str, tuple[Point | None, Point]], centre: Point
+) -> dict[str, tuple[Point | None, Point]]:
+    """The same with places for joints that may be drawn anywhere.
+
+    They are drawn between their neighbours, from those with a place outwards, and at
+    the reference point where no joint has one.
+    """
+    placed = dict(found)
+    anywhere = [
+        joint
+        for joint in mechanism.joints
+        if joint.type in _ANYWHERE and found[joint.name][0] is None
+    ]
+    while anywhere:
+        near = {j.name: _between(mechanism, j, placed) for j in anywhere}
+        if not any(near.values()):
+            near = dict.fromkeys(near, centre)
+        for name, point in near.items():
+            placed[name] = point, placed[name][1]
+        anywhere = [joint for joint in anywhere if placed[joint.name][0] is None]
+    return placed
+
+
+def _normal(
+    mechanism: Mechanism, matrices: GraspMatrices[Array], joint: Joint
+) -> Point:
+    """Of a contact, a unit vector where it stands; zero where it has none."""
+    if joint.normal is None:
+        return (0.0, 0.0, 0.0)
+    ring = ring_at(mechanism, {})
+    x, y, z = (evaluate(part, ring) for part in joint.normal)
+    moved = matrices.carried.get(joint.parent)
+    turned = (x, y, z) if moved is None else vector.rotate(moved.rotation, (x, y, z))
+    return _unit(_floats(turned))
 
 
 def _between(

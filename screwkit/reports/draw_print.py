@@ -28,6 +28,7 @@ from screwkit.reports.figures import (
     polygon_in_space,
     written,
 )
+from screwkit.reports.outlines import around
 from screwkit.reports.panels import EllipseShape, Panel
 from screwkit.reports.printing import printable
 from screwkit.results.scene import BodyShape, JointShape, Point
@@ -170,7 +171,7 @@ def _solid(axes: Any, panel: Panel) -> None:
 def _solid_body(axes: Any, body: BodyShape) -> None:
     points = list(dict.fromkeys(body.points))
     if body.role == "platform" and len(points) > 2:
-        axes.add_collection3d(polygon_in_space(_around(points), PLATFORM, BLUE))
+        axes.add_collection3d(polygon_in_space(around(points), PLATFORM, BLUE))
         return
     if body.role == "base":
         xs, ys, zs = zip(*points, strict=True)
@@ -181,14 +182,6 @@ def _solid_body(axes: Any, body: BodyShape) -> None:
     for one, other in pairwise(points):
         xs, ys, zs = zip(one, other, strict=True)
         axes.plot(xs, ys, zs, color=colour, linewidth=width)
-
-
-def _around(points: Sequence[Point]) -> list[Point]:
-    """The points in the order in which they go around their middle."""
-    middle = [sum(p[i] for p in points) / len(points) for i in range(3)]
-    spread = [max(p[i] for p in points) - min(p[i] for p in points) for i in range(3)]
-    i, j = sorted(range(3), key=lambda k: -spread[k])[:2]
-    return sorted(points, key=lambda p: math.atan2(p[j] - middle[j], p[i] - middle[i]))
 
 
 def _solid_axis(axes: Any, joint: JointShape, length: float) -> None:

@@ -31,6 +31,7 @@ from screwkit.results.singularities import (
 from screwkit.results.sweep import Sweep
 from screwkit.results.undecided import Undecided
 from screwkit.results.verification import Verification
+from screwkit.results.view import View
 
 Result: TypeAlias = (
     Mobility
@@ -42,6 +43,7 @@ Result: TypeAlias = (
     | Reach
     | Sweep
     | Verification
+    | View
     | Analysis
     | Undecided
 )
@@ -56,6 +58,7 @@ QUESTIONS: Final[dict[str, type]] = {
     "reach": Reach,
     "sweep": Sweep,
     "verify": Verification,
+    "view": View,
     "analyze": Analysis,
 }
 _NAMES: Final = {kind: name for name, kind in QUESTIONS.items()}

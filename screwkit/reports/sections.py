@@ -25,6 +25,7 @@ from screwkit.reports.about_singularities import (
 )
 from screwkit.reports.about_sweep import sweep_blocks
 from screwkit.reports.about_verification import verification_blocks
+from screwkit.reports.about_view import view_blocks
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -55,6 +56,7 @@ from screwkit.results.singularities import (
 from screwkit.results.sweep import Sweep
 from screwkit.results.undecided import Undecided
 from screwkit.results.verification import Verification
+from screwkit.results.view import View
 
 _FORMULA = re.compile(r"[*(]|\w [-+] \w")
 
@@ -151,6 +153,11 @@ def _(result: Reach) -> tuple[Block, ...]:
 @blocks.register
 def _(result: Sweep) -> tuple[Block, ...]:
     return sweep_blocks(result)
+
+
+@blocks.register
+def _(result: View) -> tuple[Block, ...]:
+    return view_blocks(result)
 
 
 @blocks.register

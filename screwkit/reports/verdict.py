@@ -14,6 +14,7 @@ from screwkit.results.screws import IdentifiedScrew, LimbScrews, PlatformScrews,
 from screwkit.results.singularities import Singularities
 from screwkit.results.undecided import Undecided
 from screwkit.results.verification import Verification
+from screwkit.results.view import View
 
 
 def is_plain_yes(result: Any) -> bool:
@@ -38,6 +39,8 @@ def is_plain_yes(result: Any) -> bool:
             return result.accepted
         case Screws():
             return all(screw.coordinates for screw in _screws_of(result))
+        case View():
+            return not result.undecided
         case Schemes():
             return result.complete and (result.admissible > 0 or result.total == 0)
         case Analysis():
