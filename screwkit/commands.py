@@ -34,6 +34,7 @@ from screwkit.options import (
     Scheduler,
     Setting,
     Size,
+    Slice,
     Timeout,
     Turn,
     Variant,
@@ -167,6 +168,11 @@ def singularities(
     *,
     every: Every = False,
     certificate: CertificateFile = None,
+    slices: Slice = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="Draw the slice: .pdf, .svg or .png."),
+    ] = None,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -178,10 +184,23 @@ def singularities(
 ) -> None:
     """Limb, constraint and actuation singularities in closed form.
 
+    With --slice twice those where two symbols vary and all others have their values,
+    with a picture of the curves.
+
     Example: screwkit singularities nao_t14 --actuated 1,2,3,7
+
+    Example: screwkit singularities 3rpr_planar --slice x=-4:8 --slice y=-4:8
+    -o slice.pdf
     """
-    wanted = None if certificate is None else True
-    request = request_of("singularities", locals(), certificate=wanted)
+    if certificate is not None and slices:
+        raise typer.BadParameter("--certificate is of the whole loci, not of a slice")
+    request = request_of(
+        "singularities",
+        locals(),
+        slices=list(slices) if slices else None,
+        output=None if output is None else str(output),
+        certificate=None if certificate is None else True,
+    )
     if certificate is not None:
         from dataclasses import replace  # noqa: PLC0415
 

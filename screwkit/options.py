@@ -124,6 +124,15 @@ Vary = Annotated[
     list[str] | None,
     typer.Option(metavar="NAME=A:B:COUNT", help="A range of a symbol; repeatable."),
 ]
+Slice = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--slice",
+        metavar="NAME=A:B",
+        help="A range of one of the two symbols of a slice; all others have their "
+        "values. A third number counts the steps.",
+    ),
+]
 Index = Annotated[
     str,
     typer.Option(

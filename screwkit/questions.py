@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from screwkit.case import Case
@@ -142,6 +143,8 @@ def singularities(
     progress: Progress = silent,
     finished: Callable[[str, Any], None] = lambda name, part: None,
     certificate: bool = False,
+    slices: Sequence[str] = (),
+    output: str | Path = "",
 ) -> Singularities:
     """Limb, constraint and actuation singularities in closed form.
 
@@ -150,10 +153,22 @@ def singularities(
         progress: Told about each stage.
         finished: Given each part as soon as it is there, by name.
         certificate: Look for proofs, too, and write them down.
+        slices: Two ranges, ``"x=-1:1"`` or ``"x=-1:1:201"``: the answer is about the
+            slice in which these two symbols vary and all others have their values.
+        output: Draw the curves of the slice, .pdf, .svg or .png.
+
+    Raises:
+        UndecidedError: If a symbol of a slice has no value.
+        ExpressionError: If there are slices, but not two ranges.
+        ScrewkitError: If a slice has no file, or a file no slice.
     """
     from screwkit.analyses import singularities as analysis  # noqa: PLC0415
 
     case.need_held_platform()
+    if slices or output:
+        from screwkit.sliced import sliced_singularities  # noqa: PLC0415
+
+        return sliced_singularities(case, slices, Path(output), singularities)
     _need_exact_posture(case)
     answer = analysis.singularities(case.assembly, progress=progress, finished=finished)
     answer = replace(answer, one_posture=not case.network.has_symbols)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from screwkit.algebra.names import limb_called
+from screwkit.reports.about_slice import slice_blocks
 from screwkit.reports.blocks import (
     Block,
     Heading,
@@ -68,6 +69,8 @@ def singularities_blocks(
     if answer.assumptions:
         taken = joined([math(text) for text in answer.assumptions])
         blocks.append(Paragraph((Words("assumed: "), *taken)))
+    if answer.slice is not None:
+        blocks += slice_blocks(answer.slice)
     return tuple(blocks)
 
 

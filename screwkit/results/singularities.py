@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from screwkit.results.shown import Shown
+from screwkit.results.slice import SingularSlice
 
 
 @dataclass(frozen=True)
@@ -129,6 +130,8 @@ class Singularities(Shown):
             answer is about that posture and no other.
         certificate: The text of the certificate, or where it was written; None where
             none was asked for.
+        slice: What was drawn of a slice of two symbols; the answer is then about the
+            slice.
     """
 
     case: str
@@ -140,3 +143,4 @@ class Singularities(Shown):
     platform_name: str = ""
     one_posture: bool = False
     certificate: str | None = None
+    slice: SingularSlice | None = None

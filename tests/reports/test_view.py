@@ -281,7 +281,7 @@ def test_a_contact_that_was_moved_takes_its_normal_along() -> None:
         assert np.linalg.norm(now) == pytest.approx(np.linalg.norm(link))
         assert normal @ now == pytest.approx(-u @ link)
         assert normal @ knee.direction == pytest.approx(0)
-        turned += np.linalg.norm(normal + u) > 0.05
+        turned += int(np.linalg.norm(normal + u) > 0.05)
     assert turned
 
 
