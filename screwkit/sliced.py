@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from screwkit.algebra.names import limb_called
 from screwkit.case import Case
 from screwkit.errors import ScrewkitError
 from screwkit.kinematics.values import with_values
@@ -43,9 +44,13 @@ def sliced_singularities(
         )
     slicing = slicing_of(case.mechanism, slices)
     mechanism = with_values(case.mechanism, slicing.fixed)
-    answer = question(Case(mechanism, case.wanted, case.path, case.given))
+    inside = Case(mechanism, case.wanted, case.path, case.given)
+    answer = question(inside)
     curves = curves_of(answer, slicing)
     drawn = slice_of(answer, slicing, curves)
+    remarks = [*_lost_everywhere(case, inside), *filter(None, [drawn.remark])]
+    given = (f"{name} = {value}" for name, value in case.given.items())
+    drawn = replace(drawn, remark="; ".join(remarks), fixed=(*given, *drawn.fixed))
     content = slice_picture(
         drawn,
         [curve.segments for curve in curves],
@@ -54,3 +59,25 @@ def sliced_singularities(
     )
     write(output, content)
     return replace(answer, slice=replace(drawn, file=str(output)))
+
+
+def _lost_everywhere(case: Case, inside: Case) -> list[str]:
+    """What has a smaller rank in the whole slice than for other values.
+
+    No curve shows that, because it is not special within the slice.
+    """
+    before, after = case.assembly, inside.assembly
+    found = []
+    for limb in before.limbs:
+        general, here = (a.generic_rank(limb.joints) for a in (before, after))
+        if here < general:
+            found.append(
+                f"{limb_called(limb.name)} is singular in the whole slice: "
+                f"rank {here}, in general {general}"
+            )
+    if after.loop_rank < before.loop_rank:
+        found.append(
+            f"the constraints of the loops have rank {after.loop_rank} in the whole "
+            f"slice, in general {before.loop_rank}"
+        )
+    return found

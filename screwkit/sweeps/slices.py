@@ -22,7 +22,7 @@ from screwkit.algebra.text import expression_text
 from screwkit.errors import ExpressionError, UndecidedError
 from screwkit.kinematics.placement import TURNING, why_tied
 from screwkit.kinematics.values import declared_values
-from screwkit.mechanism.model import JointType, Mechanism
+from screwkit.mechanism.model import Joint, JointType, Mechanism
 from screwkit.results.singularities import Component, Singularities
 from screwkit.results.slice import SingularSlice, SlicedComponent
 from screwkit.sweeps.grid import Axis, axis_of
@@ -61,7 +61,7 @@ def slicing_of(mechanism: Mechanism, ranges: Sequence[str]) -> Slicing:
         )
     free: list[str] = []
     if mechanism.geometry != "posture" and not why_tied(mechanism):
-        free = [*mechanism.joint_variables]
+        free = [name for joint in mechanism.joints for name in _not_held(joint)]
     symbols = [parameter.name for parameter in mechanism.parameters]
     one, two = (_axis(text, [*symbols, *free]) for text in ranges)
     if one.name == two.name:
@@ -78,6 +78,12 @@ def slicing_of(mechanism: Mechanism, ranges: Sequence[str]) -> Slicing:
     fixed |= {name: parse("0", ()) for name in free if name not in varied}
     units = _unit(mechanism, one.name), _unit(mechanism, two.name)
     return Slicing((one, two), units, fixed)
+
+
+def _not_held(joint: Joint) -> list[str]:
+    """The variables of a joint to which no value was given."""
+    held = joint.held or (None,) * len(joint.variables)
+    return [n for n, value in zip(joint.variables, held, strict=True) if value is None]
 
 
 def _axis(text: str, known: Sequence[str]) -> Axis:

@@ -201,6 +201,21 @@ def test_open_loci_and_slices_that_are_singular_throughout_are_marked() -> None:
     assert "everywhere in the slice" in slice_of(loose, slicing, ()).remark
 
 
+def test_what_is_lost_in_the_whole_slice_is_said(tmp_path: Path) -> None:
+    """At q9 = 0 the axes 8 and 10 of the left arm are one line, whatever q2 and q4."""
+    slices, place = ["q2=-3:3:21", "q4=-3:3:21"], tmp_path / "slice.svg"
+    told = sk.singularities(sk.load("nao_t14"), slices=slices, output=place).slice
+    assert told is not None
+    lost = "left is singular in the whole slice: rank 4, in general 5"
+    assert lost in told.remark
+    free = sk.load("nao_t14", at={"q9": "pi/2"})
+    told = sk.singularities(free, slices=slices, output=place).slice
+    assert told is not None
+    assert "whole slice" not in told.remark
+    assert told.fixed[0] == "q9 = pi/2"
+    assert "q9 = 0" not in told.fixed
+
+
 @pytest.mark.parametrize("ending", MAGIC)
 def test_the_same_slice_is_the_same_file(ending: str, tmp_path: Path) -> None:
     case = sk.load("3rpr_planar")
