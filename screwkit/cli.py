@@ -11,7 +11,11 @@ from typing import Annotated, NoReturn
 
 import typer
 
-from screwkit import errors, page_commands  # noqa: F401 -- registers its commands
+from screwkit import (  # noqa: F401 -- two modules register their commands
+    errors,
+    page_commands,
+    verify_command,
+)
 from screwkit.commands import app
 from screwkit.options import AsJson, Which
 from screwkit.requests import DEBUG

@@ -217,39 +217,6 @@ def singularities(
 
 
 @app.command()
-def verify(
-    certificate: Annotated[
-        str, typer.Argument(metavar="CERTIFICATE", help="A certificate's file.")
-    ],
-    case: Annotated[
-        str | None,
-        typer.Argument(metavar="[CASE]", help="The mechanism it must be about."),
-    ] = None,
-    *,
-    timeout: Timeout = None,
-    memory: Memory = None,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
-) -> None:
-    """Check a certificate again, from the mechanism alone.
-
-    Example: screwkit verify nao.json nao_t14
-    """
-    from dataclasses import replace  # noqa: PLC0415
-
-    given = dict.fromkeys(("variant", "set_values", "at", "actuated")) | {
-        "case": "",
-        "memory": memory,
-        "timeout": timeout,
-        "as_json": as_json,
-        "quiet": quiet,
-    }
-    request = request_of("verify", given, certificate=certificate, case=case)
-    job = replace(request.job, target="screwkit.verification:verify")
-    _answer(replace(request, job=job))
-
-
-@app.command()
 def schemes(
     case: CaseName,
     *,
