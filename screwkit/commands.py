@@ -6,8 +6,9 @@ at once.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
-from typing import Annotated, Any, NoReturn
+from typing import Any, NoReturn
 
 import typer
 
@@ -24,14 +25,19 @@ from screwkit.options import (
     Every,
     Index,
     Length,
+    MapFile,
     Memory,
     Order,
     Point,
     Quiet,
+    Rank,
     Refined,
     RelativeTo,
+    ReportPlace,
     Samples,
     Scheduler,
+    SchemesFile,
+    ScrewOrder,
     Setting,
     Size,
     Slice,
@@ -39,10 +45,17 @@ from screwkit.options import (
     Turn,
     Variant,
     Vary,
+    Within,
     Work,
     Workers,
 )
-from screwkit.requests import freedoms_in, names_in, request_of, settings
+from screwkit.requests import (
+    freedoms_in,
+    names_in,
+    ranking_options,
+    request_of,
+    settings,
+)
 
 _EXAMPLE = """Mobility, singularities and actuation of mechanisms, derived exactly.
 
@@ -127,9 +140,7 @@ def mobility(
 def screws(
     case: CaseName,
     *,
-    order: Annotated[
-        Order, typer.Option(help="linear prints (v; ω) and (m; f).")
-    ] = Order.DIRECTION,
+    order: ScrewOrder = Order.DIRECTION,
     body: Body = None,
     relative_to: RelativeTo = None,
     variant: Variant = None,
@@ -154,8 +165,6 @@ def screws(
         answer(request_of("relative_motion", given, **options))
     request = request_of("screws", given)
     if order is Order.LINEAR:
-        from dataclasses import replace  # noqa: PLC0415
-
         from screwkit.reports.verdict import in_linear_order  # noqa: PLC0415
 
         request = replace(request, change=in_linear_order)
@@ -202,14 +211,10 @@ def singularities(
         certificate=None if certificate is None else True,
     )
     if certificate is not None:
-        from dataclasses import replace  # noqa: PLC0415
-
         from screwkit.delivery import written_certificate  # noqa: PLC0415
 
         request = replace(request, change=written_certificate(certificate))
     if every:
-        from dataclasses import replace  # noqa: PLC0415
-
         from screwkit.delivery import show_all  # noqa: PLC0415
 
         request = replace(request, show=show_all)
@@ -224,11 +229,11 @@ def schemes(
     candidates: Candidates = None,
     balanced: Balanced = False,
     work: Work = None,
+    rank: Rank = None,
+    within: Within = None,
+    length: Length = None,
     every: Every = False,
-    output: Annotated[
-        Path | None,
-        typer.Option("-o", "--output", help="Write .tex, .csv, .json or .txt."),
-    ] = None,
+    output: SchemesFile = None,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -247,12 +252,11 @@ def schemes(
         locals(),
         size=size,
         work=work,
+        **ranking_options(rank, within, length),
         candidates=None
         if candidates is None
         else list(freedoms_in("--candidates", candidates)),
     )
-    from dataclasses import replace  # noqa: PLC0415
-
     from screwkit import delivery  # noqa: PLC0415
 
     answer(
@@ -325,8 +329,6 @@ def _drawn(request: Any, draw: Path | None) -> Any:
     """The request, with a picture beside its answer."""
     if draw is None:
         return request
-    from dataclasses import replace  # noqa: PLC0415
-
     from screwkit.delivery import deliver_picture  # noqa: PLC0415
 
     return replace(request, beside=deliver_picture(draw))
@@ -338,10 +340,7 @@ def sweep(
     *,
     vary: Vary = None,
     index: Index = "kinematic.min",
-    output: Annotated[
-        Path | None,
-        typer.Option("-o", "--output", help="Write .csv, .npz or a .pdf map."),
-    ] = None,
+    output: MapFile = None,
     samples: Samples = None,
     best: Refined = None,
     workers: Workers = None,
@@ -379,6 +378,8 @@ def sweep(
 def analyze(
     case: CaseName,
     *,
+    rank: Rank = None,
+    within: Within = None,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -392,4 +393,5 @@ def analyze(
 
     Example: screwkit analyze nao_t14 --json
     """
-    answer(request_of("analyze", locals()))
+    given = locals()
+    answer(request_of("analyze", given, **ranking_options(rank, within)))

@@ -18,7 +18,7 @@ from screwkit.errors import MissingToolError, ScrewkitError
 from screwkit.results.analysis import Analysis
 from screwkit.results.manipulability import Manipulability
 from screwkit.results.reach import Reach
-from screwkit.results.schemes import Schemes
+from screwkit.results.schemes import Ranking, Schemes
 from screwkit.results.singularities import Singularities
 from screwkit.results.view import View
 
@@ -30,7 +30,13 @@ _TABLES = (".tex", ".csv", ".json", ".txt")
 
 def only_balanced(answer: Schemes) -> Schemes:
     """The same counts, listing only schemes with equal shares of every limb."""
-    return replace(answer, schemes=tuple(s for s in answer.schemes if s.balanced))
+    even = tuple(s for s in answer.schemes if s.balanced)
+    order = answer.ranking
+    if isinstance(order, Ranking):
+        named = {scheme.actuated for scheme in even}
+        kept = tuple(one for one in order.schemes if one.actuated in named)
+        order = replace(order, schemes=kept)
+    return replace(answer, schemes=even, ranking=order)
 
 
 def written_certificate(path: Path) -> Callable[[Singularities], Singularities]:
@@ -87,9 +93,13 @@ def deliver_schemes(path: Path) -> Delivery:
 def _csv(answer: Schemes) -> str:
     file = io.StringIO()
     table = csv.writer(file, lineterminator="\n")
-    table.writerow(
-        ["actuated", "admissible", "generic_rank", "locus", "reason", "proved"]
-    )
+    head = ["actuated", "admissible", "generic_rank", "locus", "reason", "proved"]
+    ranked: dict[tuple[str, ...], list[float]] = {}
+    if isinstance(answer.ranking, Ranking):
+        head += ["median", "worst"]
+        ranked = {x.actuated: [x.median, x.worst] for x in answer.ranking.schemes}
+    unranked = [""] * (len(head) - 6)
+    table.writerow(head)
     for scheme in answer.schemes:
         powers = scheme.multiplicities or (1,) * len(scheme.locus)
         locus = " * ".join(
@@ -104,6 +114,7 @@ def _csv(answer: Schemes) -> str:
                 locus,
                 scheme.reason or "",
                 "no" if scheme.undecided or scheme.deeper else "yes",
+                *ranked.get(scheme.actuated, unranked),
             ]
         )
     return file.getvalue()

@@ -44,7 +44,7 @@ def manipulability(
     from screwkit.analyses import manipulability as analysis  # noqa: PLC0415
 
     _need_held(case)
-    measure = _measure(length)
+    measure = measure_of(length)
     return analysis.manipulability(case.network, case.wanted, measure, progress)
 
 
@@ -78,7 +78,7 @@ def reach(
     _need_held(case)
     place = place_of(case.mechanism, point)
     turns = turns_of(case.mechanism, turned or {})
-    return analysis.reach(case.network, place, turns, _measure(length), progress)
+    return analysis.reach(case.network, place, turns, measure_of(length), progress)
 
 
 def _need_held(case: Case) -> None:
@@ -92,7 +92,7 @@ def _need_held(case: Case) -> None:
     case.need_held_platform()
 
 
-def _measure(length: str) -> Expression | None:
+def measure_of(length: str) -> Expression | None:
     """The length that counts as one radian; None where none is given.
 
     Raises:

@@ -108,6 +108,33 @@ Work = Annotated[
 Balanced = Annotated[
     bool, typer.Option("--balanced", help="Same number from every limb.")
 ]
+Rank = Annotated[
+    int | None,
+    typer.Option(
+        metavar="POSTURES",
+        min=1,
+        help="Order schemes by their conditioning over so many postures.",
+    ),
+]
+Within = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="NAME=A:B", help="Draw these postures from a range; repeatable."
+    ),
+]
+SchemesFile = Annotated[
+    Path | None,
+    typer.Option("-o", "--output", help="Write .tex, .csv, .json or .txt."),
+]
+MapFile = Annotated[
+    Path | None,
+    typer.Option("-o", "--output", help="Write .csv, .npz or a .pdf map."),
+]
+ReportPlace = Annotated[
+    Path | None, typer.Option("-o", "--output", help="File or folder.")
+]
+ScrewOrder = Annotated[Order, typer.Option(help="linear prints (v; ω) and (m; f).")]
+Form = Annotated[Format, typer.Option("--format", help="What to write.")]
 Point = Annotated[
     str | None,
     typer.Option(metavar="X,Y,Z", help="Where the reference point is wanted."),

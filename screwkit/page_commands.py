@@ -14,15 +14,19 @@ from screwkit.options import (
     AsJson,
     At,
     CaseName,
+    Form,
     Format,
     Memory,
     Open,
     Quiet,
+    Rank,
+    ReportPlace,
     Setting,
     Timeout,
     Variant,
+    Within,
 )
-from screwkit.requests import request_of
+from screwkit.requests import ranking_options, request_of
 
 
 @app.command()
@@ -67,12 +71,10 @@ def view(
 def report(
     case: CaseName,
     *,
-    form: Annotated[
-        Format, typer.Option("--format", help="What to write.")
-    ] = Format.LATEX,
-    output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="File or folder.")
-    ] = None,
+    form: Form = Format.LATEX,
+    output: ReportPlace = None,
+    rank: Rank = None,
+    within: Within = None,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -86,7 +88,7 @@ def report(
 
     Example: screwkit report nao_t14 --format pdf -o report.pdf
     """
-    request = request_of("analyze", locals())
+    request = request_of("analyze", locals(), **ranking_options(rank, within))
     from screwkit.delivery import deliver_report  # noqa: PLC0415
 
     answer(replace(request, deliver=deliver_report(form.value, output)))

@@ -13,13 +13,13 @@ from typing import Any
 
 from screwkit.case import Case
 from screwkit.errors import MechanismFileError, UndecidedError
-from screwkit.metric_questions import manipulability
+from screwkit.metric_questions import manipulability, measure_of
 from screwkit.progress import Progress, silent
 from screwkit.reports import showing  # noqa: F401 -- answers show themselves
 from screwkit.results.analysis import Analysis
 from screwkit.results.mobility import Mobility, MotionCase
 from screwkit.results.motion import MotionPath
-from screwkit.results.schemes import Schemes
+from screwkit.results.schemes import Ranking, Schemes
 from screwkit.results.screws import RelativeMotion, Screws
 from screwkit.results.singularities import Singularities
 from screwkit.results.undecided import Undecided
@@ -187,6 +187,9 @@ def schemes(
     progress: Progress = silent,
     work: int | None = None,
     finished: Callable[[str, Any], None] = lambda name, part: None,
+    rank: int = 0,
+    within: Sequence[str] = (),
+    length: str = "",
 ) -> Schemes:
     """Every actuation scheme of a size, admissible or why not.
 
@@ -199,6 +202,16 @@ def schemes(
         work: Terms of determinants to expand for all loci together; 1 000 000 by
             default.  What is left is undecided.
         finished: Given the answer without loci as soon as it is there.
+        rank: Order the admissible schemes by their conditioning over so many closed
+            postures; 0 does not.
+        within: Ranges from which these are drawn, ``"x=-0.1:0.1"`` each; by default
+            angles are drawn from the circle and lengths around their values.
+        length: That counts as one radian in the ranking; the characteristic length by
+            default.
+
+    Raises:
+        UnknownNameError: If a candidate or a symbol is unknown.
+        ExpressionError: If a range is none, or the length is no positive constant.
     """
     from screwkit.analyses import schemes as analysis  # noqa: PLC0415
 
@@ -206,15 +219,44 @@ def schemes(
     _need_exact_posture(case)
     terms = analysis.WORK if work is None else work
     answer = analysis.schemes(
-        case.assembly, size, candidates, balanced, progress, terms, finished
+        case.assembly,
+        size,
+        candidates,
+        balanced,
+        progress,
+        terms,
+        finished,
+        _ranked(case, rank, within, length) if rank else None,
     )
     return replace(answer, one_posture=not case.network.has_symbols)
+
+
+def _ranked(
+    case: Case, postures: int, within: Sequence[str], length: str
+) -> Callable[[Sequence[tuple[str, ...]]], Ranking | Undecided]:
+    """Orders schemes, or says why it cannot."""
+    from screwkit.algebra.batch import BatchRing  # noqa: PLC0415
+    from screwkit.algebra.evaluation import evaluate  # noqa: PLC0415
+    from screwkit.analyses.ranking import ranking  # noqa: PLC0415
+
+    measure = measure_of(length)
+    value = None if measure is None else float(evaluate(measure, BatchRing({})))
+
+    def ranked(schemes: Sequence[tuple[str, ...]]) -> Ranking | Undecided:
+        try:
+            return ranking(case.mechanism, schemes, postures, within, value)
+        except UndecidedError as error:
+            return Undecided(str(error))
+
+    return ranked
 
 
 def analyze(
     case: Case,
     progress: Progress = silent,
     finished: Callable[[str, Any], None] = lambda name, part: None,
+    rank: int = 0,
+    within: Sequence[str] = (),
 ) -> Analysis:
     """All questions; one that cannot be decided does not stop the others.
 
@@ -222,6 +264,8 @@ def analyze(
         case: The mechanism.
         progress: Told about each stage.
         finished: Given each part as soon as it is there, by name.
+        rank: As for `schemes`, with ``within``.
+        within: Ranges of symbols.
     """
     from screwkit.claims import checked_claims  # noqa: PLC0415
     from screwkit.mechanism.description import description  # noqa: PLC0415
@@ -234,7 +278,7 @@ def analyze(
         "mobility": mobility,
         "screws": screws,
         "singularities": singularities,
-        "schemes": schemes,
+        "schemes": partial(schemes, rank=rank, within=within),
         "manipulability": manipulability,
     }
     for name, question in asked.items():

@@ -49,6 +49,18 @@ def request_of(question: str, given: dict[str, Any], **options: Any) -> Any:
     )
 
 
+def ranking_options(
+    rank: int | None, within: list[str] | None, length: str | None = None
+) -> dict[str, Any]:
+    """The options of a ranking of schemes; without one its details are refused."""
+    for option, given in (("--within", within), ("--length", length)):
+        if rank is None and given:
+            raise typer.BadParameter(
+                f"{option} says how schemes are ranked; give --rank POSTURES with it"
+            )
+    return {"rank": rank, "within": list(within) if within else None, "length": length}
+
+
 def settings(option: str, texts: list[str] | None) -> dict[str, str]:
     """Names and texts of values, in the order given."""
     found = {}

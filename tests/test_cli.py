@@ -176,6 +176,17 @@ def test_options_of_schemes_reach_the_analysis(engine: Answering) -> None:
     assert engine.jobs[0].options == {"size": 5, "candidates": ["1", "2", "3"]}
 
 
+@pytest.mark.parametrize("command", ["schemes", "analyze", "report"])
+def test_a_ranking_reaches_the_analysis(
+    engine: Answering, command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    screwkit(
+        command, "nao_t14", "--rank", "9", "--within", "q1=0:1", "--within", "a=0:2"
+    )
+    assert engine.jobs[0].options == {"rank": 9, "within": ["q1=0:1", "a=0:2"]}
+
+
 def test_a_wrong_file_is_3_with_all_faults(
     engine: Answering, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -224,6 +235,8 @@ def test_refusals_have_their_codes(
         (["schemes", "a.yaml", "--candidates", "A,"], "--candidates 'A,' has an empty"),
         (["mobility", "a.yaml", "--memory", "inf"], "--memory inf is no number"),
         (["mobility", "a.yaml", "--timeout", "inf"], "--timeout inf is no number"),
+        (["schemes", "a.yaml", "--within", "a=0:1"], "give --rank POSTURES with it"),
+        (["schemes", "a.yaml", "--length", "2"], "give --rank POSTURES with it"),
         (["schemes", "a.yaml", "-o", "x.foo"], "written as .tex, .csv, .json, .txt"),
         (["schemes", "a.yaml", "-o", "x"], "x: schemes are written as .tex, .csv"),
         (["check", ""], "the name of the case is empty"),

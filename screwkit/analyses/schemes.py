@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import combinations
 from math import comb
-from typing import Any
+from typing import Any, TypeAlias
 
 from screwkit.algebra.names import counted
 from screwkit.analyses.mirror_classes import mirror_classes, with_mirror
@@ -22,10 +22,14 @@ from screwkit.loci.passive import PassiveState, PassiveSystem
 from screwkit.progress import Progress, silent
 from screwkit.results.schemes import (
     Balanced,
+    Ranking,
     Refusal,
     Scheme,
     Schemes,
 )
+from screwkit.results.undecided import Undecided
+
+Ranked: TypeAlias = Callable[[Sequence[tuple[str, ...]]], Ranking | Undecided]
 
 _REPORT = 50  # schemes between two words of progress
 LARGEST = 20_000  # schemes; beyond, candidates have to be named
@@ -41,6 +45,7 @@ def schemes(
     progress: Progress = silent,
     work: int = WORK,
     finished: Callable[[str, Any], None] = lambda name, part: None,
+    ranked: Ranked | None = None,
 ) -> Schemes:
     """Answer ``schemes``.
 
@@ -53,6 +58,7 @@ def schemes(
         work: Terms to expand for all loci together; those of the schemes that are left
             are undecided, and whether these are admissible is decided nevertheless.
         finished: Given the answer without loci as soon as it is there.
+        ranked: Orders the admissible schemes.
 
     Raises:
         UnknownNameError: If a candidate is no joint of a limb, or there are fewer of
@@ -88,6 +94,10 @@ def schemes(
         _by_rank(assembly, *item) for item in zip(wanted_schemes, states, strict=True)
     ]
     known = _answer(assembly, number, [with_mirror(s, pairs) for s in ranks], pairs)
+    if ranked is not None:
+        progress("ranking", f"{known.admissible} schemes")
+        order = ranked([scheme.actuated for scheme in ranks if scheme.admissible])
+        known = replace(known, ranking=order)
     finished("admissible", replace(known, complete=False, reason="no locus yet"))
     asked = sorted(
         zip(wanted_schemes, states, strict=True),
@@ -103,6 +113,7 @@ def schemes(
     listed = [with_mirror(scheme, pairs) for scheme in listed]
     return replace(
         _answer(assembly, number, listed, pairs),
+        ranking=known.ranking,
         factors=shared.factors(),
         left_out=tuple(sorted(shared.left_out)),
         complete=not any(scheme.undecided for scheme in listed),

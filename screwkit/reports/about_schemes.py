@@ -22,9 +22,11 @@ from screwkit.reports.blocks import (
     prose,
     words,
 )
+from screwkit.reports.conditioning import conditioning_texts, ranking_remarks
 from screwkit.reports.notation import term_count
 from screwkit.reports.phrases import listed
-from screwkit.results.schemes import Scheme, Schemes
+from screwkit.results.schemes import Ranking, Scheme, Schemes
+from screwkit.results.undecided import Undecided
 
 SHOWN = 12
 
@@ -34,12 +36,12 @@ def schemes_blocks(answer: Schemes, *, shown: int | None = SHOWN) -> tuple[Block
     blocks: list[Block] = [Paragraph(summary(answer), 1)]
     if answer.refusals:
         blocks += [Heading(words("never admissible"), 1), refusals_table(answer)]
-    admissible = by_simplicity(answer)
+    admissible = in_order(answer)
     if admissible:
         listed_ones = admissible if shown is None else admissible[:shown]
         blocks += [
-            Heading(words("admissible, simplest locus first"), 1),
-            loci_table(listed_ones),
+            Heading(words(f"admissible, {order_words(answer)}"), 1),
+            loci_table(listed_ones, answer.ranking),
         ]
         hidden = len(admissible) - len(listed_ones)
         if hidden:
@@ -93,6 +95,7 @@ def remarks(answer: Schemes) -> tuple[Text, ...]:
                 "may fail too: singularities --actuated … searches there"
             )
         )
+    notes += ranking_remarks(answer.ranking)
     if not answer.complete:
         reason = answer.reason or "not every locus was expanded"
         notes.append(words(f"undecided: the loci in full. {reason}"))
@@ -124,6 +127,20 @@ def complexity(scheme: Scheme) -> tuple[bool, int, int]:
     return scheme.undecided, terms, sum(map(len, scheme.locus))
 
 
+def in_order(answer: Schemes) -> tuple[Scheme, ...]:
+    """The admissible schemes, best conditioned first where they are ranked."""
+    if not isinstance(answer.ranking, Ranking):
+        return by_simplicity(answer)
+    named = {scheme.actuated: scheme for scheme in answer.schemes}
+    return tuple(named[one.actuated] for one in answer.ranking.schemes)
+
+
+def order_words(answer: Schemes) -> str:
+    """What `in_order` puts first."""
+    ranked = isinstance(answer.ranking, Ranking)
+    return "best conditioned first" if ranked else "simplest locus first"
+
+
 def by_simplicity(answer: Schemes) -> tuple[Scheme, ...]:
     """The admissible schemes, simplest locus first."""
     admissible = [scheme for scheme in answer.schemes if scheme.admissible]
@@ -146,7 +163,24 @@ def locus(scheme: Scheme) -> Text:
     return (Loci(factors),)
 
 
-def loci_table(schemes: Iterable[Scheme]) -> Table:
-    """Schemes beside their loci."""
-    rows = tuple((words(listed(one.actuated)), locus(one)) for one in schemes)
-    return Table((Column(()), Column((), "wrap")), rows)
+def loci_table(
+    schemes: Iterable[Scheme], ranking: Ranking | Undecided | None = None
+) -> Table:
+    """Schemes beside their loci, with their conditioning where they are ranked."""
+    if not isinstance(ranking, Ranking):
+        rows = tuple((words(listed(one.actuated)), locus(one)) for one in schemes)
+        return Table((Column(()), Column((), "wrap")), rows)
+    columns = (
+        Column(words("actuated")),
+        Column(words("median"), "right"),
+        Column(words("worst"), "right"),
+        Column(words("locus"), "wrap"),
+    )
+    numbers = conditioning_texts(ranking)
+    return Table(
+        columns,
+        tuple(
+            (words(listed(one.actuated)), *numbers[one.actuated], locus(one))
+            for one in schemes
+        ),
+    )

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from screwkit.algebra.names import counted
-from screwkit.reports.about_schemes import by_simplicity, locus
+from screwkit.reports.about_schemes import in_order, locus, order_words
 from screwkit.reports.blocks import Column, Math, Table, Text, prose, words
+from screwkit.reports.conditioning import conditioning_texts
 from screwkit.reports.phrases import listed
-from screwkit.results.schemes import Schemes
+from screwkit.results.schemes import Ranking, Schemes
 
 SHOWN = 24
 SHOWN_FACTORS = 30
@@ -79,11 +80,21 @@ def reasons_table(answer: Schemes) -> Table:
 
 def schemes_table(answer: Schemes, *, shown: int | None = SHOWN) -> Table:
     """The admissible schemes with their loci, simplest first."""
-    admissible = by_simplicity(answer)
+    admissible = in_order(answer)
     taken = admissible if shown is None else admissible[:shown]
+    rows: tuple[tuple[Text, ...], ...]
+    columns: tuple[Column, ...]
     rows = tuple((words(listed(one.actuated)), locus(one)) for one in taken)
     columns = (Column(words("Actuated")), Column(words("Singular locus"), "wrap"))
-    caption = "Admissible schemes, simplest locus first; singular where it vanishes"
+    if isinstance(answer.ranking, Ranking):
+        numbers = conditioning_texts(answer.ranking)
+        rows = tuple(
+            (row[0], *numbers[one.actuated], row[1])
+            for row, one in zip(rows, taken, strict=True)
+        )
+        added = (Column(words("Median"), "right"), Column(words("Worst"), "right"))
+        columns = (columns[0], *added, columns[1])
+    caption = f"Admissible schemes, {order_words(answer)}; singular where it vanishes"
     if len(taken) < len(admissible):
         caption += (
             f". The first {len(taken)} of {len(admissible)}; the others are in the JSON"

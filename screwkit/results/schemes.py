@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from screwkit.results.shown import Shown
+from screwkit.results.undecided import Undecided
 
 
 @dataclass(frozen=True)
@@ -84,6 +85,67 @@ class Refusal:
     example: tuple[str, ...]
 
 
+@dataclass(frozen=True)
+class SampledRange:
+    """Which values of a symbol postures were drawn from.
+
+    Attributes:
+        angle: Whether they are radians; else in the units of the file.
+        given: Whether they were asked for; else the whole circle or a surrounding.
+    """
+
+    symbol: str
+    start: float
+    stop: float
+    angle: bool
+    given: bool
+
+
+@dataclass(frozen=True)
+class RankedScheme:
+    """How well one admissible scheme drives the platform.
+
+    Attributes:
+        median: Of the index over the postures, 0 to 1; half of them are better.
+        worst: The least of them.
+    """
+
+    actuated: tuple[str, ...]
+    median: float
+    worst: float
+
+
+@dataclass(frozen=True)
+class Ranking:
+    """The admissible schemes, best conditioned first.
+
+    The index of a scheme at a posture is the least singular value over the largest of
+    the map from the platform's twists (ω; v/L) to the actuated rates, slides over L:
+    1 where the platform moves equally fast in all its directions, 0 where the scheme
+    fails or the platform has lost a freedom.
+
+    Attributes:
+        schemes: By descending median.
+        postures: How many the numbers are taken over.
+        undefined: Postures drawn at which the mechanism cannot be assembled; left out.
+        seed: Of the random numbers.
+        length: L, which counts as one radian, in the units of the file.
+        length_given: Whether it was asked for; else it is the root mean square distance
+            of the axes from the reference point.
+        ranges: The symbols that differ between the postures; none where there is one
+            posture, that of the file.
+    """
+
+    schemes: tuple[RankedScheme, ...]
+    postures: int
+    undefined: int
+    seed: int
+    length: float
+    length_given: bool
+    units: str
+    ranges: tuple[SampledRange, ...] = ()
+
+
 @dataclass(frozen=True, repr=False)
 class Schemes(Shown):
     """The answer of ``schemes``.
@@ -96,6 +158,7 @@ class Schemes(Shown):
         reason: Why not, where not.
         one_posture: Whether the file describes one posture in numbers, so that the
             answer is about that posture and no other.
+        ranking: By conditioning over a set of postures; None where not asked for.
     """
 
     case: str
@@ -112,3 +175,4 @@ class Schemes(Shown):
     complete: bool = True
     reason: str = ""
     one_posture: bool = False
+    ranking: Ranking | Undecided | None = None
