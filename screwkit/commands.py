@@ -14,6 +14,7 @@ import typer
 
 from screwkit.options import (
     Actuated,
+    Add,
     AsJson,
     At,
     Balanced,
@@ -49,13 +50,7 @@ from screwkit.options import (
     Work,
     Workers,
 )
-from screwkit.requests import (
-    freedoms_in,
-    names_in,
-    ranking_options,
-    request_of,
-    settings,
-)
+from screwkit.requests import extras, freedoms_or_none, names_in, request_of, settings
 
 _EXAMPLE = """Mobility, singularities and actuation of mechanisms, derived exactly.
 
@@ -232,6 +227,7 @@ def schemes(
     rank: Rank = None,
     within: Within = None,
     length: Length = None,
+    add: Add = False,
     every: Every = False,
     output: SchemesFile = None,
     variant: Variant = None,
@@ -252,10 +248,8 @@ def schemes(
         locals(),
         size=size,
         work=work,
-        **ranking_options(rank, within, length),
-        candidates=None
-        if candidates is None
-        else list(freedoms_in("--candidates", candidates)),
+        candidates=freedoms_or_none("--candidates", candidates),
+        **extras(add, rank, within, length),
     )
     from screwkit import delivery  # noqa: PLC0415
 
@@ -378,6 +372,7 @@ def sweep(
 def analyze(
     case: CaseName,
     *,
+    add: Add = False,
     rank: Rank = None,
     within: Within = None,
     variant: Variant = None,
@@ -393,5 +388,4 @@ def analyze(
 
     Example: screwkit analyze nao_t14 --json
     """
-    given = locals()
-    answer(request_of("analyze", given, **ranking_options(rank, within)))
+    answer(request_of("analyze", locals(), **extras(add, rank, within)))

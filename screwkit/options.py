@@ -108,6 +108,12 @@ Work = Annotated[
 Balanced = Annotated[
     bool, typer.Option("--balanced", help="Same number from every limb.")
 ]
+Add = Annotated[
+    bool,
+    typer.Option(
+        "--add", help="Which added actuators remove which singularities of the scheme."
+    ),
+]
 Rank = Annotated[
     int | None,
     typer.Option(

@@ -11,6 +11,7 @@ import typer
 from screwkit.commands import answer, app
 from screwkit.options import (
     Actuated,
+    Add,
     AsJson,
     At,
     CaseName,
@@ -26,7 +27,7 @@ from screwkit.options import (
     Variant,
     Within,
 )
-from screwkit.requests import ranking_options, request_of
+from screwkit.requests import extras, request_of
 
 
 @app.command()
@@ -73,6 +74,7 @@ def report(
     *,
     form: Form = Format.LATEX,
     output: ReportPlace = None,
+    add: Add = False,
     rank: Rank = None,
     within: Within = None,
     variant: Variant = None,
@@ -88,7 +90,7 @@ def report(
 
     Example: screwkit report nao_t14 --format pdf -o report.pdf
     """
-    request = request_of("analyze", locals(), **ranking_options(rank, within))
+    request = request_of("analyze", locals(), **extras(add, rank, within))
     from screwkit.delivery import deliver_report  # noqa: PLC0415
 
     answer(replace(request, deliver=deliver_report(form.value, output)))

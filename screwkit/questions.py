@@ -190,6 +190,7 @@ def schemes(
     rank: int = 0,
     within: Sequence[str] = (),
     length: str = "",
+    add: bool = False,
 ) -> Schemes:
     """Every actuation scheme of a size, admissible or why not.
 
@@ -208,6 +209,8 @@ def schemes(
             angles are drawn from the circle and lengths around their values.
         length: That counts as one radian in the ranking; the characteristic length by
             default.
+        add: Find which added actuators remove which singularities of the declared
+            scheme.
 
     Raises:
         UnknownNameError: If a candidate or a symbol is unknown.
@@ -227,6 +230,7 @@ def schemes(
         terms,
         finished,
         _ranked(case, rank, within, length) if rank else None,
+        add,
     )
     return replace(answer, one_posture=not case.network.has_symbols)
 
@@ -257,6 +261,7 @@ def analyze(
     finished: Callable[[str, Any], None] = lambda name, part: None,
     rank: int = 0,
     within: Sequence[str] = (),
+    add: bool = False,
 ) -> Analysis:
     """All questions; one that cannot be decided does not stop the others.
 
@@ -264,8 +269,9 @@ def analyze(
         case: The mechanism.
         progress: Told about each stage.
         finished: Given each part as soon as it is there, by name.
-        rank: As for `schemes`, with ``within``.
+        rank: As for `schemes`, with ``within`` and ``add``.
         within: Ranges of symbols.
+        add: Added actuators.
     """
     from screwkit.claims import checked_claims  # noqa: PLC0415
     from screwkit.mechanism.description import description  # noqa: PLC0415
@@ -278,7 +284,7 @@ def analyze(
         "mobility": mobility,
         "screws": screws,
         "singularities": singularities,
-        "schemes": partial(schemes, rank=rank, within=within),
+        "schemes": partial(schemes, rank=rank, within=within, add=add),
         "manipulability": manipulability,
     }
     for name, question in asked.items():

@@ -49,16 +49,26 @@ def request_of(question: str, given: dict[str, Any], **options: Any) -> Any:
     )
 
 
-def ranking_options(
-    rank: int | None, within: list[str] | None, length: str | None = None
+def extras(
+    add: bool, rank: int | None, within: list[str] | None, length: str | None = None
 ) -> dict[str, Any]:
-    """The options of a ranking of schemes; without one its details are refused."""
+    """What else is asked of schemes; details of a ranking are refused without one."""
     for option, given in (("--within", within), ("--length", length)):
         if rank is None and given:
             raise typer.BadParameter(
                 f"{option} says how schemes are ranked; give --rank POSTURES with it"
             )
-    return {"rank": rank, "within": list(within) if within else None, "length": length}
+    return {
+        "add": add or None,
+        "rank": rank,
+        "within": list(within) if within else None,
+        "length": length,
+    }
+
+
+def freedoms_or_none(option: str, text: str | None) -> list[str] | None:
+    """`freedoms_in` of an option that may be left out."""
+    return None if text is None else list(freedoms_in(option, text))
 
 
 def settings(option: str, texts: list[str] | None) -> dict[str, str]:

@@ -185,6 +185,8 @@ def test_a_ranking_reaches_the_analysis(
         command, "nao_t14", "--rank", "9", "--within", "q1=0:1", "--within", "a=0:2"
     )
     assert engine.jobs[0].options == {"rank": 9, "within": ["q1=0:1", "a=0:2"]}
+    screwkit(command, "nao_t14", "--add")
+    assert engine.jobs[1].options == {"add": True}
 
 
 def test_a_wrong_file_is_3_with_all_faults(

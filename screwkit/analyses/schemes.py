@@ -13,6 +13,7 @@ from typing import Any, TypeAlias
 
 from screwkit.algebra.names import counted
 from screwkit.analyses.mirror_classes import mirror_classes, with_mirror
+from screwkit.analyses.redundancy import redundancy
 from screwkit.analyses.scheme_loci import LociOfSchemes
 from screwkit.errors import TooLargeError, UnknownNameError
 from screwkit.kinematics.assembly import Assembly
@@ -23,6 +24,7 @@ from screwkit.progress import Progress, silent
 from screwkit.results.schemes import (
     Balanced,
     Ranking,
+    Redundancy,
     Refusal,
     Scheme,
     Schemes,
@@ -46,6 +48,7 @@ def schemes(
     work: int = WORK,
     finished: Callable[[str, Any], None] = lambda name, part: None,
     ranked: Ranked | None = None,
+    add: bool = False,
 ) -> Schemes:
     """Answer ``schemes``.
 
@@ -59,6 +62,7 @@ def schemes(
             are undecided, and whether these are admissible is decided nevertheless.
         finished: Given the answer without loci as soon as it is there.
         ranked: Orders the admissible schemes.
+        add: Find what added actuators do to the declared scheme.
 
     Raises:
         UnknownNameError: If a candidate is no joint of a limb, or there are fewer of
@@ -98,6 +102,9 @@ def schemes(
         progress("ranking", f"{known.admissible} schemes")
         order = ranked([scheme.actuated for scheme in ranks if scheme.admissible])
         known = replace(known, ranking=order)
+    if add:
+        progress("redundancy", "singularities of the declared scheme")
+        known = replace(known, redundancy=_redundancy(assembly, chosen))
     finished("admissible", replace(known, complete=False, reason="no locus yet"))
     asked = sorted(
         zip(wanted_schemes, states, strict=True),
@@ -114,11 +121,24 @@ def schemes(
     return replace(
         _answer(assembly, number, listed, pairs),
         ranking=known.ranking,
+        redundancy=known.redundancy,
         factors=shared.factors(),
         left_out=tuple(sorted(shared.left_out)),
         complete=not any(scheme.undecided for scheme in listed),
         reason=_open(listed, shared),
     )
+
+
+def _redundancy(
+    assembly: Assembly, candidates: Sequence[str]
+) -> Redundancy | Undecided:
+    scheme = assembly.mechanism.actuated
+    if not scheme:
+        return Undecided(
+            "the file declares no actuated joint to which others could be added: "
+            "give some with --actuated"
+        )
+    return redundancy(assembly, scheme, candidates)
 
 
 def _answer(

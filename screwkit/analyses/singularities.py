@@ -10,6 +10,7 @@ from typing import Any
 
 from screwkit.algebra.decomposition import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.analyses.actuation_parts import actuation_parts
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.loci.actuation import actuation_locus
 from screwkit.loci.canonical import in_known_conditions
@@ -287,29 +288,15 @@ def actuation_singularities(
 ) -> ActuationSingularities:
     """Where, with these joints locked, the platform can move."""
     locus = actuation_locus(assembly, actuated)
-    meanings, size = locus.meanings, assembly.dimension
-    moving: list[Component] = []
-    idle: list[Component] = []
-    for piece, state in zip(locus.pieces, locus.states, strict=True):
-        component = Component(
-            equations=equations_of(piece),
-            codimension=piece.codimension,
-            solutions=all_solutions(piece),
-            solved=solved_equations(piece),
-            rank=size - state.platform_freedom,
-            geometry=meanings.each_of(piece) if meanings else None,
-            wrench_dimension=size - state.platform_freedom,
-            platform_freedom=state.platform_freedom,
-            mobility=state.mobility,
-        )
-        (moving if state.platform_freedom else idle).append(component)
+    size = assembly.dimension
+    found = [component for _, component in actuation_parts(locus, size)]
     return ActuationSingularities(
         actuated=tuple(actuated),
         admissible=locus.admissible,
         generic_rank=size - locus.platform_freedom,
         complete=locus.complete,
-        components=tuple(moving),
-        idle=tuple(idle),
+        components=tuple(c for c in found if c.platform_freedom),
+        idle=tuple(c for c in found if not c.platform_freedom),
         witness=locus.witness,
         reason=locus.reason,
     )

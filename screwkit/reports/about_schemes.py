@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from screwkit.algebra.names import counted
 from screwkit.reports.about_singularities import ONE_POSTURE
+from screwkit.reports.added_actuators import added_blocks
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -49,7 +50,7 @@ def schemes_blocks(answer: Schemes, *, shown: int | None = SHOWN) -> tuple[Block
             blocks.append(Paragraph(words(more), 1))
     notes = remarks(answer)
     blocks += [Paragraph(text, 1) for text in notes]
-    return tuple(blocks)
+    return (*blocks, *added_blocks(answer.redundancy))
 
 
 def summary(answer: Schemes) -> Text:

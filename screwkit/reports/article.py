@@ -26,6 +26,7 @@ from screwkit.reports.about_mobility import (
 )
 from screwkit.reports.about_schemes import remarks, summary
 from screwkit.reports.about_screws import convention, halves_of
+from screwkit.reports.added_actuators import added_section
 from screwkit.reports.article_manipulability import manipulability_section
 from screwkit.reports.article_mechanism import mechanism_section
 from screwkit.reports.article_schemes import (
@@ -312,7 +313,7 @@ def _schemes_section(answer: Schemes | Undecided) -> tuple[Block, ...]:
     if answer.factors:
         blocks.append(factors_table(answer))
     blocks += [Paragraph((*_capitalised(text), Words("."))) for text in remarks(answer)]
-    return tuple(blocks)
+    return (*blocks, *added_section(answer.redundancy))
 
 
 def _manipulability(answer: Manipulability | Undecided) -> tuple[Block, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from screwkit.results.shown import Shown
+from screwkit.results.singularities import Component
 from screwkit.results.undecided import Undecided
 
 
@@ -146,6 +147,48 @@ class Ranking:
     ranges: tuple[SampledRange, ...] = ()
 
 
+@dataclass(frozen=True)
+class AddedActuators:
+    """Actuators added to a scheme, and what is left of its singularities.
+
+    Attributes:
+        freedoms: Of the platform with these locked too, in general on each component.
+    """
+
+    actuators: tuple[str, ...]
+    freedoms: tuple[int, ...]
+
+    @property
+    def suffices(self) -> bool:
+        """Whether every component is removed in general."""
+        return not any(self.freedoms)
+
+
+@dataclass(frozen=True)
+class Redundancy:
+    """Which added actuators remove which singularities of one scheme.
+
+    Attributes:
+        admissible: Of the scheme; where it is not, the one component is the whole
+            space, without equations.
+        components: Where the platform moves with the scheme locked.
+        single: What each further actuator does alone.
+        pairs: Those that remove every component, where no single one does.
+        pairs_asked: Whether no single one does.
+        complete: Whether the components are proved to be all.
+        reason: Why not, where not.
+    """
+
+    actuated: tuple[str, ...]
+    admissible: bool
+    components: tuple[Component, ...]
+    single: tuple[AddedActuators, ...] = ()
+    pairs: tuple[AddedActuators, ...] = ()
+    pairs_asked: bool = False
+    complete: bool = True
+    reason: str = ""
+
+
 @dataclass(frozen=True, repr=False)
 class Schemes(Shown):
     """The answer of ``schemes``.
@@ -158,6 +201,8 @@ class Schemes(Shown):
         reason: Why not, where not.
         one_posture: Whether the file describes one posture in numbers, so that the
             answer is about that posture and no other.
+        redundancy: What added actuators do to the file's own scheme; None where not
+            asked for.
         ranking: By conditioning over a set of postures; None where not asked for.
     """
 
@@ -176,3 +221,4 @@ class Schemes(Shown):
     reason: str = ""
     one_posture: bool = False
     ranking: Ranking | Undecided | None = None
+    redundancy: Redundancy | Undecided | None = None
