@@ -1,8 +1,9 @@
 """Why a choice of actuators never stops the platform.
 
-The simplest witness is given: passive axes, one in every limb, that are one line; or
-the line about which the platform can turn, named by the points it passes through; or
-what kind of motion is left.
+The simplest witness is given: passive axes, one in every limb, that are one line; an
+actuator that holds nothing, or two that hold the same freedom; the line about which the
+platform can turn, or the direction in which it can slide, named by the points and axes
+of the mechanism; or how many freedoms a few actuators hold, and what motion is left.
 """
 
 from __future__ import annotations
@@ -12,14 +13,16 @@ from functools import cached_property
 from itertools import product
 from typing import NamedTuple
 
+from screwkit.algebra.names import counted
 from screwkit.algebra.points import residue
-from screwkit.conventions import DIRECTION, MOMENT
+from screwkit.conventions import DIRECTION
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.subspaces import PlatformSystem
 from screwkit.loci.features import Features, listed
 from screwkit.loci.meanings import Residue, features_at, features_of
 from screwkit.loci.passive import PassiveSystem
-from screwkit.screw.vector import cross, dot, subtract
+from screwkit.loci.remaining_motion import Motion, motion_in_words
+from screwkit.loci.wasted_actuators import HeldFreedoms, Wasted
 
 
 class ExactTwists(NamedTuple):
@@ -41,6 +44,65 @@ class Witnesses:
         shared = self._shared_axis(passive)
         if shared is not None:
             return shared
+        actuated = [joint for joint in self._system.joints if joint not in passive]
+        if len(actuated) < self._held.platform:
+            return (
+                f"{counted(len(actuated), 'actuator')} cannot hold the platform's "
+                f"{counted(self._held.platform, 'freedom')}"
+            )
+        wasted = self._held.wasted_in(actuated)
+        if wasted is not None and len(wasted.actuators) < 3:
+            return self._doing_too_little(wasted)
+        motion = self._one_motion(passive)
+        if wasted is None or motion.named or len(wasted.actuators) == len(actuated):
+            return motion.text
+        return f"{self._doing_too_little(wasted)}; {motion.text}"
+
+    @cached_property
+    def _held(self) -> HeldFreedoms:
+        return HeldFreedoms(self._system)
+
+    def _doing_too_little(self, wasted: Wasted) -> str:
+        """Actuators that hold fewer freedoms than they are, in words."""
+        names = wasted.actuators
+        if len(names) == 1:
+            return (
+                f"actuator {names[0]} holds nothing: with it locked the platform moves "
+                f"as freely as before"
+            )
+        if len(names) == 2:
+            left = self._motion_type(names)
+            return (
+                f"actuators {listed(names)} hold the same freedom: with one or both "
+                f"locked the platform keeps {left}"
+            )
+        held = counted(wasted.held, "freedom")
+        return f"actuators {listed(names)} together hold {held} only"
+
+    def _motion_type(self, locked: Collection[str]) -> str:
+        """The type of the platform's motion with these joints locked."""
+        passive = [joint for joint in self._system.joints if joint not in locked]
+        types = {
+            self._platform(passive, twists).motion_type for twists, _ in self._at_points
+        }
+        if len(types) == 1:
+            return types.pop()
+        freedom = self._system.generic_state(passive).platform_freedom
+        return f"the same {counted(freedom, 'freedom')}"
+
+    def _platform(
+        self, passive: Collection[str], at_point: ExactTwists
+    ) -> PlatformSystem:
+        """What holds the platform at an exact point."""
+        twists, prime = at_point
+        limbs = [
+            [twists[j] for j in limb.joints if j in passive]
+            for limb in self._assembly.limbs
+        ]
+        return PlatformSystem.held_by(limbs, prime)
+
+    def _one_motion(self, passive: Collection[str]) -> Motion:
+        """The remaining motion as all exact points show it."""
         motions = [
             self._motion(passive, twists, features)
             for twists, features in self._at_points
@@ -48,7 +110,8 @@ class Witnesses:
         if motions and all(motion == motions[0] for motion in motions):
             return motions[0]
         freedom = self._system.generic_state(passive).platform_freedom
-        return f"the platform keeps {freedom} freedom{'s' if freedom > 1 else ''}"
+        text = f"the platform keeps {counted(freedom, 'freedom')}"
+        return Motion(text, named=False)
 
     @cached_property
     def _at_points(self) -> list[tuple[ExactTwists, Features[Residue]]]:
@@ -117,56 +180,14 @@ class Witnesses:
         passive: Collection[str],
         at_point: ExactTwists,
         features: Features[Residue],
-    ) -> str:
+    ) -> Motion:
         """The platform's remaining motion in words."""
-        twists, prime = at_point
-        limbs = [
-            [twists[j] for j in limb.joints if j in passive]
-            for limb in self._assembly.limbs
-        ]
-        platform = PlatformSystem.held_by(limbs, prime)
+        platform = self._platform(passive, at_point)
         if platform.freedom != 1:
             count = platform.freedom
-            return f"the platform keeps {count} freedoms: {platform.motion_type}"
-        twist = platform.twists[0]
-        omega = [Residue(x, prime) for x in twist[DIRECTION]]
-        v = [Residue(x, prime) for x in twist[MOMENT]]
-        if not any(x.value for x in omega):
-            return (
-                "the platform can translate: every wrench is normal to that direction"
-            )
-        if dot(omega, v).value:
-            return "the platform keeps one screw motion, reciprocal to every wrench"
-        through = [
-            p.name
-            for p in features.points
-            if not any(x.value for x in subtract(v, cross(p.position, omega)))
-        ]
-        along = [
-            axis.joint
-            for axis in features.axes
-            if axis.point is not None
-            and not any(
-                x.value
-                for x in (
-                    *cross(axis.direction, omega),
-                    *subtract(v, cross(axis.point, omega)),
-                )
-            )
-        ]
-        if along:
-            return f"the platform can turn about axis {along[0]}: every wrench meets it"
-        if len(through) > 1:
-            return (
-                f"the platform can turn about the line through {through[0]} and "
-                f"{through[1]}: every wrench meets it"
-            )
-        if through:
-            return (
-                f"the platform can turn about a line through {through[0]}: "
-                f"every wrench meets it"
-            )
-        return "the platform can turn about a line that every wrench meets"
+            text = f"the platform keeps {count} freedoms: {platform.motion_type}"
+            return Motion(text, named=False)
+        return motion_in_words(platform.twists[0], platform.prime, features)
 
 
 def _parallel(assembly: Assembly, first: str, second: str) -> bool:
