@@ -12,8 +12,9 @@ from screwkit.algebra.branches import restricted
 from screwkit.algebra.factors import Factor, Factored, factor
 from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import equation_text
-from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.algebra.trigonometric import primitive
 from screwkit.kinematics.assembly import Assembly
+from screwkit.loci.limb_extensors import Content, Minor
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.passive import PassiveSystem, RankTable
 from screwkit.loci.pieces import Piece
@@ -44,7 +45,7 @@ class LociOfSchemes:
     seen: dict[str, Factor] = field(default_factory=dict)
     left_out: set[str] = field(default_factory=set)
     tables: dict[str, list[RankTable]] = field(default_factory=dict)
-    reasons: dict[frozenset[str], str] = field(default_factory=dict)
+    factored: dict[str, Content] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         framed = self.assembly.common_twists
@@ -69,8 +70,7 @@ class LociOfSchemes:
         seen: list[dict[str, tuple[Factor, int]]] = []
         common: dict[str, tuple[Factor, int]] = {}
         for minor in minors:
-            factors = factor(self.ring, minor, self.library).factors
-            own = {f.key: (f, n) for f, n in factors if self._can_vanish(f)}
+            own = self._factors(minor)
             shared = {
                 key: (f, min(n, own[key][1]))
                 for key, (f, n) in common.items()
@@ -90,13 +90,24 @@ class LociOfSchemes:
         all_of_it = any(own.keys() <= kept.keys() for own in seen)
         return SchemeLocus(tuple(kept.values()), undecided, not all_of_it)
 
-    def _minors(self, passive: Sequence[str]) -> list[Polynomial]:
+    def _factors(self, minor: Minor) -> dict[str, tuple[Factor, int]]:
+        """The factors of a minor that can vanish, with their multiplicities."""
+        found: dict[str, tuple[Factor, int]] = {}
+        text = str(primitive(minor.rest))
+        if text not in self.factored:
+            self.factored[text] = factor(self.ring, minor.rest, self.library).factors
+        for f, n in (*minor.content, *self.factored[text]):
+            if self._can_vanish(f):
+                found[f.key] = (f, n + found[f.key][1] if f.key in found else n)
+        return found
+
+    def _minors(self, passive: Sequence[str]) -> list[Minor]:
         """Minors of the passive columns, shortest first, while there is work left."""
         if self.left <= 0:
             return []
         minors = list(islice(self.system.maximal_minors(passive), _LOOKED_AT))
-        self.left -= sum(map(len, minors))
-        return sorted(minors, key=len)
+        self.left -= sum(len(minor.rest) for minor in minors)
+        return sorted(minors, key=lambda minor: len(minor.rest))
 
     def _can_vanish(self, f: Factor) -> bool:
         if f.key in self.axes:

@@ -19,6 +19,12 @@ from screwkit.algebra.modular import independent, rank
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import Assembly
+from screwkit.loci.limb_extensors import (
+    Minor,
+    PrimitiveExtensor,
+    content_of,
+    primitive_extensor,
+)
 from screwkit.loci.wrench_sums import COSTLIEST, Units, cost, filling_units, sum_minors
 
 MINORS = 4
@@ -115,6 +121,7 @@ class PassiveSystem:
     def __init__(self, assembly: Assembly) -> None:
         self.assembly = assembly
         self.joints = assembly.joints
+        self._primitives: dict[tuple[int, frozenset[str]], PrimitiveExtensor] = {}
 
     @cached_property
     def generic(self) -> tuple[RankTable, RankTable]:
@@ -219,9 +226,9 @@ class PassiveSystem:
     def size(self, passive: Collection[str]) -> int:
         """Products of terms that a determinant of these columns may take."""
         extensors = [self._own(i, passive) for i in range(len(self.assembly.limbs))]
-        return cost(extensors, ((),) * len(extensors))
+        return cost([e.coordinates for e in extensors], ((),) * len(extensors))
 
-    def maximal_minors(self, passive: Collection[str]) -> Iterator[Polynomial]:
+    def maximal_minors(self, passive: Collection[str]) -> Iterator[Minor]:
         """Polynomials that all vanish where these columns become dependent.
 
         One determinant where the columns just fill the loop equations; with two limbs
@@ -231,32 +238,38 @@ class PassiveSystem:
         ring = self.assembly.common_twists.ring
         count = len(self.assembly.limbs)
         if not count:
-            yield ring.one  # of no columns and no equations
+            yield Minor(ring.one, ())  # of no columns and no equations
             return
         equations = self.height * (count - 1)
         if len(passive) < equations and count == 2:
-            left, right = (self._extensor(i, passive) for i in range(2))
-            yield from joined(ring, left, right).values()
+            both = [self._primitive(i, passive) for i in range(2)]
+            content = content_of(both)
+            for rest in joined(ring, *(e.coordinates for e in both)).values():
+                yield Minor(rest, content)
             return
         found = False
         if len(passive) >= equations:
             for chosen in self._square_choices(passive, equations):
-                extensors = [self._extensor(i, chosen) for i in range(count)]
-                if all(extensors):
-                    for minor in combined(ring, extensors, self.height).values():
+                extensors = [self._primitive(i, chosen) for i in range(count)]
+                parts = [e.coordinates for e in extensors]
+                if all(parts):
+                    content = content_of(extensors)
+                    for rest in combined(ring, parts, self.height).values():
                         found = True
-                        yield minor
+                        yield Minor(rest, content)
         if not found:
             yield from self._some_minors(passive)
 
-    def _some_minors(self, passive: Collection[str]) -> Iterator[Polynomial]:
+    def _some_minors(self, passive: Collection[str]) -> Iterator[Minor]:
         """Minors that are not zero at a random point, cheap ones first."""
         ring = self.assembly.common_twists.ring
         if len(self.assembly.limbs) < 2 or self._sample is None:
             return
         residues, prime = self._sample
         limbs = range(len(self.assembly.limbs))
-        extensors = [self._own(i, passive) for i in limbs]
+        own = [self._own(i, passive) for i in limbs]
+        content = content_of(own)
+        extensors = [e.coordinates for e in own]
         at_point = [
             [residues[joint] for joint in self._spanning(i, passive)] for i in limbs
         ]
@@ -269,11 +282,23 @@ class PassiveSystem:
         for units in choices[:MINORS]:
             if cost(extensors, units) > COSTLIEST:
                 return
-            yield from sum_minors(ring, extensors, units, self.height)
+            for rest in sum_minors(ring, extensors, units, self.height):
+                yield Minor(rest, content)
 
-    def _own(self, limb: int, passive: Collection[str]) -> Mapping[int, Polynomial]:
+    def _own(self, limb: int, passive: Collection[str]) -> PrimitiveExtensor:
         """The extensor of what a limb's passive twists span."""
-        return self._extensor(limb, self._spanning(limb, passive))
+        return self._primitive(limb, self._spanning(limb, passive))
+
+    def _primitive(self, limb: int, passive: Collection[str]) -> PrimitiveExtensor:
+        """The extensor of a limb's passive twists; computed once per choice."""
+        joints = self.assembly.limbs[limb].joints
+        key = limb, frozenset(joint for joint in joints if joint in passive)
+        if key not in self._primitives:
+            ring = self.assembly.common_twists.ring
+            self._primitives[key] = primitive_extensor(
+                ring, self._extensor(limb, passive), self.assembly.library(ring)
+            )
+        return self._primitives[key]
 
     def _spanning(self, limb: int, passive: Collection[str]) -> list[str]:
         """Passive joints of a limb that are independent at the sample."""

@@ -129,7 +129,9 @@ def expanded(assembly: Assembly) -> list[Any]:
     system = PassiveSystem(assembly)
     found: list[Any] = []
     for passive in every_scheme(assembly):
-        found.extend(system.maximal_minors(passive))
+        minors = system.maximal_minors(passive)
+        ring = assembly.common_twists.ring
+        found.extend(minor.expanded(ring) for minor in minors)
     return found
 
 

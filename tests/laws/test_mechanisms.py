@@ -114,12 +114,15 @@ def test_passive_determinants_are_those_of_floats(
     minors = [] if fall else list(passives.maximal_minors(passive))
     chosen = [[joint in passive for joint in joints] for joints in system.joints]
     ring = assembly.common_twists.ring
+    products = [minor.expanded(ring) for minor in minors]
     for number in range(3):
         posture = system.posture(seed + number)
         limbs = limbs_at(system, posture)
         wanted = abs(float(np.linalg.det(loop_matrix(limbs, chosen))))
         found = (
-            abs(float(compile_polynomials(ring, minors[0])(posture))) if minors else 0
+            abs(float(compile_polynomials(ring, products[0])(posture)))
+            if products
+            else 0
         )
         size = float(np.prod(1 + np.linalg.norm(np.hstack(limbs), axis=0)))
         assert abs(found - wanted) < 1e-10 * size
