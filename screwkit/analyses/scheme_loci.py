@@ -45,6 +45,7 @@ class LociOfSchemes:
     seen: dict[str, Factor] = field(default_factory=dict)
     left_out: set[str] = field(default_factory=set)
     tables: dict[str, list[RankTable]] = field(default_factory=dict)
+    vanishing: dict[str, bool] = field(default_factory=dict)
     factored: dict[str, Content] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -59,8 +60,13 @@ class LociOfSchemes:
             for f, _ in factor(self.ring, square, self.library).factors
         }
 
-    def locus(self, passive: Sequence[str]) -> SchemeLocus:
-        """The factors on which the passive twists become dependent."""
+    def locus(self, passive: Sequence[str], mobility: int) -> SchemeLocus:
+        """The factors on which the passive twists become dependent.
+
+        Args:
+            passive: The joints that are not locked.
+            mobility: What they can move in general.
+        """
         if len(self.assembly.limbs) < 2:
             return SchemeLocus(())
         minors = self._minors(passive)
@@ -82,7 +88,7 @@ class LociOfSchemes:
                 break
         kept, undecided = {}, False
         for key, entry in common.items():
-            falls = True if whole else self._falls(entry[0], passive)
+            falls = True if whole else self._falls(entry[0], passive, mobility)
             undecided = undecided or falls is None
             if falls:
                 kept[key] = entry
@@ -110,6 +116,11 @@ class LociOfSchemes:
         return sorted(minors, key=lambda minor: len(minor.rest))
 
     def _can_vanish(self, f: Factor) -> bool:
+        if f.key not in self.vanishing:
+            self.vanishing[f.key] = self._may_vanish(f)
+        return self.vanishing[f.key]
+
+    def _may_vanish(self, f: Factor) -> bool:
         if f.key in self.axes:
             return False
         if not self.root.assumptions.is_nonzero(self.ring, f.equations[0]):
@@ -117,13 +128,13 @@ class LociOfSchemes:
         self.left_out.add(equation_text(self.ring, f.equations[0]))
         return False
 
-    def _falls(self, f: Factor, passive: Sequence[str]) -> bool | None:
+    def _falls(self, f: Factor, passive: Sequence[str], mobility: int) -> bool | None:
         """Whether more moves on a factor than in general; None if no point is known."""
         tables = self._tables_on(f)
         if not tables:
             return None
-        general = self.system.generic_state(passive).mobility
-        return any(table.state(passive).mobility > general for table in tables)
+        rank = len(passive) - mobility
+        return any(table.loop_rank(passive) < rank for table in tables)
 
     def _tables_on(self, f: Factor) -> list[RankTable]:
         """Ranks at exact points on a factor."""

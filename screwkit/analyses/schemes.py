@@ -216,7 +216,7 @@ def _scheme(
     if state.platform_freedom:
         reason = work.witnesses.of(passive)
         return Scheme(actuated, False, rank, reason=reason, balanced=balanced)
-    found = work.locus(passive)
+    found = work.locus(passive, state.mobility)
     locus = sorted(
         found.factors, key=lambda item: (len(item[0].equations[0]), item[0].key)
     )

@@ -10,8 +10,9 @@ References: [Merlet1989]; [LongCaroKhalil2012] Table 3.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import combinations, product
 from typing import Generic
 
@@ -69,7 +70,23 @@ class Features(Generic[S]):
 
     def axis(self, joint: str) -> Axis[S]:
         """The axis of a joint."""
-        return next(axis for axis in self.axes if axis.joint == joint)
+        return self._by_joint[joint]
+
+    def normal(self, first: str, second: str) -> Vector[S]:
+        """The vector product of two axes' directions; computed once for each pair."""
+        key = first, second
+        if key not in self._normals:
+            one, other = self.axis(first), self.axis(second)
+            self._normals[key] = cross(one.direction, other.direction)
+        return self._normals[key]
+
+    @cached_property
+    def _by_joint(self) -> Mapping[str, Axis[S]]:
+        return {axis.joint: axis for axis in self.axes}
+
+    @cached_property
+    def _normals(self) -> dict[tuple[str, str], Vector[S]]:
+        return {}
 
 
 @dataclass(frozen=True)
@@ -206,7 +223,7 @@ def _same_line(i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:
         assert a.point is not None
         assert b.point is not None
         offset = subtract(b.point, a.point)
-        return [*cross(a.direction, b.direction), *cross(offset, a.direction)]
+        return [*features.normal(i, j), *cross(offset, a.direction)]
 
     return scalars
 
@@ -226,7 +243,7 @@ def _points_coincide(p: int, q: int) -> Callable[[Features[S]], Sequence[S]]:
 
 
 def _parallel(i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:
-    return lambda f: cross(f.axis(i).direction, f.axis(j).direction)
+    return lambda f: f.normal(i, j)
 
 
 def _perpendicular(i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:
@@ -236,11 +253,7 @@ def _perpendicular(i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:
 def _normals(
     features: Features[S], first: tuple[str, str], second: tuple[str, str]
 ) -> tuple[Vector[S], Vector[S]]:
-    (i, j), (k, m) = first, second
-    return (
-        cross(features.axis(i).direction, features.axis(j).direction),
-        cross(features.axis(k).direction, features.axis(m).direction),
-    )
+    return features.normal(*first), features.normal(*second)
 
 
 def _planes_parallel(
@@ -257,11 +270,10 @@ def _planes_perpendicular(
 
 def _point_in_plane(p: int, i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:
     def scalars(features: Features[S]) -> Sequence[S]:
-        a, b = features.axis(i), features.axis(j)
         number = next(n for x, y, n in features.planes if {x, y} == {i, j})
         corner = features.points[number].position
         offset = subtract(features.points[p].position, corner)
-        return [dot(cross(a.direction, b.direction), offset)]
+        return [dot(features.normal(i, j), offset)]
 
     return scalars
 
@@ -271,7 +283,7 @@ def _meet(i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:
         a, b = features.axis(i), features.axis(j)
         assert a.point is not None
         assert b.point is not None
-        return [dot(cross(a.direction, b.direction), subtract(b.point, a.point))]
+        return [dot(features.normal(i, j), subtract(b.point, a.point))]
 
     return scalars
 
@@ -294,8 +306,7 @@ def _normal_in_plane(
         axis = features.axis(k)
         assert axis.point is not None
         offset = subtract(features.points[p].position, axis.point)
-        normal = cross(features.axis(i).direction, features.axis(j).direction)
-        return [dot(cross(axis.direction, offset), normal)]
+        return [dot(cross(axis.direction, offset), features.normal(i, j))]
 
     return scalars
 
@@ -303,9 +314,4 @@ def _normal_in_plane(
 def _directions_coplanar(
     i: str, j: str, k: str
 ) -> Callable[[Features[S]], Sequence[S]]:
-    return lambda f: [
-        dot(
-            cross(f.axis(i).direction, f.axis(j).direction),
-            f.axis(k).direction,
-        )
-    ]
+    return lambda f: [dot(f.normal(i, j), f.axis(k).direction)]

@@ -26,7 +26,7 @@ from typing import TypeAlias
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import Search, common_zeros
 from screwkit.algebra.minors import combined, joined
-from screwkit.algebra.modular import echelon
+from screwkit.algebra.modular import echelon, independent
 from screwkit.algebra.points import Point, rank_at, residue
 from screwkit.algebra.ring import Ring
 from screwkit.algebra.trigonometric import Polynomial
@@ -86,8 +86,8 @@ def filling_units(
         places = list(range(width))
         if number >= count:
             source.shuffle(places)
-        reduced = echelon([[row[p] for p in places] for row in rows], prime)
-        pivots = {places[next(k for k, x in enumerate(line) if x)] for line in reduced}
+        across = [[row[p] for row in rows] for p in places]
+        pivots = {places[k] for k in independent(across, prime)}
         units: list[tuple[int, ...]] = [()] * count
         for block, limb in enumerate(order[1:]):
             units[limb] = tuple(
