@@ -68,7 +68,9 @@ def _before(answer: Redundancy) -> list[Text]:
         return [words(f"with {locked} locked the platform never moves: none is needed")]
     if not answer.admissible:
         return [words(f"with {locked} locked the platform can move everywhere")]
-    return [words(f"with {locked} locked the platform can move on")]
+    return [
+        words(f"with {locked} locked the platform can move where one of these holds")
+    ]
 
 
 def _after(answer: Redundancy) -> list[Text]:
@@ -90,8 +92,9 @@ def _after(answer: Redundancy) -> list[Text]:
         scheme = ",".join((*answer.actuated, *added))
         notes.append(
             words(
-                "in general on each: where more conditions hold at once it may move "
-                f"still; singularities --actuated {scheme} finds where"
+                "this is so in general; at special postures on a condition the "
+                "platform may still move, and singularities --actuated "
+                f"{scheme} finds them"
             )
         )
     if not answer.complete:
@@ -141,7 +144,7 @@ def effects_table(answer: Redundancy, *, titled: bool = False) -> Table:
     ]
     if answer.pairs:
         pairs = "; ".join(listed(x.actuators) for x in answer.pairs[:SHOWN])
-        rows.append((words(pairs), words("two together: stops it on every one")))
+        rows.append((words(pairs), words("any of these pairs stops it on each")))
     heads = ("Locked too", "Effect") if titled else ("locked too", "")
     columns = (Column(words(heads[0]), "wrap"), Column(words(heads[1]), "wrap"))
     if not titled:

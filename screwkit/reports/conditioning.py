@@ -30,7 +30,8 @@ def ranking_remarks(ranking: Ranking | Undecided | None) -> list[Text]:
     source = (
         "as given"
         if ranking.length_given
-        else "the root mean square distance of the axes from the reference point"
+        else "the root mean square distance of the turning axes from the reference "
+        "point"
     )
     return [
         words(

@@ -116,7 +116,8 @@ def test_text_and_document() -> None:
     assert from_json(to_json(answer)) == answer
     assert only_balanced(answer).redundancy == answer.redundancy
     text = " ".join(str(answer).split())
-    assert "with 1 2 3 7 locked the platform can move on 1 q6 = q1 (mod π)" in text
+    assert "with 1 2 3 7 locked the platform can move where one of these holds" in text
+    assert "holds 1 q6 = q1 (mod π)" in text
     assert "4 5 8 9 10 stops it on each" in text
     assert "6 stops it on 1, 2; leaves 1 freedom on 3" in text
 

@@ -209,7 +209,7 @@ def test_the_text_shows_order_numbers_and_what_they_are() -> None:
     assert tuple(after[:4]) == best.actuated
     assert float(after[4]) == pytest.approx(best.median, rel=5e-3)
     assert "median and worst over 12 closed postures" in text
-    assert "m, the root mean square distance of the axes" in text
+    assert "m, the root mean square distance of the turning axes" in text
     assert "random numbers of seed 1" in text
 
 
