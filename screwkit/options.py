@@ -157,6 +157,10 @@ Vary = Annotated[
     list[str] | None,
     typer.Option(metavar="NAME=A:B:COUNT", help="A range of a symbol; repeatable."),
 ]
+SlicePicture = Annotated[
+    Path | None,
+    typer.Option("-o", "--output", help="Draw the slice: .pdf, .svg or .png."),
+]
 Slice = Annotated[
     list[str] | None,
     typer.Option(

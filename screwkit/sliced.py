@@ -49,7 +49,7 @@ def sliced_singularities(
     curves = curves_of(answer, slicing)
     drawn = slice_of(answer, slicing, curves)
     remarks = [*_lost_everywhere(case, inside), *filter(None, [drawn.remark])]
-    given = (f"{name} = {value}" for name, value in case.given.items())
+    given = (f"{name} = {value}" for name, value in case.given.values.items())
     drawn = replace(drawn, remark="; ".join(remarks), fixed=(*given, *drawn.fixed))
     content = slice_picture(
         drawn,

@@ -97,6 +97,11 @@ class DualRing:
         return evaluate(expression, self)
 
     @property
+    def known(self) -> None:
+        """Nothing is kept: turns and symbols may be replaced."""
+        return None
+
+    @property
     def zero(self) -> Dual:
         """0."""
         return Dual(self._point.zero, self._point.zero)
