@@ -223,8 +223,7 @@ def _asked(mechanism: Mechanism, given: Given, path: Path | None) -> Case:
     from screwkit.kinematics.given_values import placed_at, with_numbers  # noqa: PLC0415
 
     if given.variant is not None:
-        chosen = given.variant
-        mechanism = at_variant(mechanism, _variant(mechanism, chosen))
+        mechanism = at_variant(mechanism, _variant(mechanism, given.variant))
     if given.set_values:
         mechanism = with_numbers(mechanism, given.set_values)
     if given.actuated is not None:

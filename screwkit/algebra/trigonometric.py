@@ -278,41 +278,25 @@ class TrigonometricRing:
 
     def without_divisors(self, column: Sequence[Polynomial]) -> list[Polynomial]:
         """The column times whatever clears its inverses; a screw is projective."""
-        cleared = list(column)
-        for name, divisor in self._divisor_values.items():
-            index = self.names.index(name)
-            power = max(int(p.degrees()[index]) for p in cleared)
-            if power:
-                cleared = [
-                    self.normal(_cleared(p, index, power, divisor, self))
-                    for p in cleared
-                ]
-        return cleared
+        return self.cleared(column)[0]
 
-    def scale_of(self, column: Sequence[Polynomial]) -> Polynomial:
-        """What `without_divisors` multiplies a column with."""
-        scale = self._one
-        cleared = list(column)
+    def cleared(
+        self, column: Sequence[Polynomial]
+    ) -> tuple[list[Polynomial], Polynomial]:
+        """`without_divisors`, and what the column was multiplied with."""
+        values = [*column, self._one]
         for name, divisor in self._divisor_values.items():
             index = self.names.index(name)
-            power = max(int(p.degrees()[index]) for p in cleared)
+            power = max(int(p.degrees()[index]) for p in values)
             if power:
-                cleared = [
-                    self.normal(_cleared(p, index, power, divisor, self))
-                    for p in cleared
-                ]
-                scale = self.normal(_cleared(scale, index, power, divisor, self))
-        return scale
+                over = (_cleared(p, index, power, divisor, self) for p in values)
+                values = [self.normal(p) for p in over]
+        return values[:-1], values[-1]
 
     @property
     def divisors_of(self) -> Mapping[str, Polynomial]:
         """What each generator that stands for an inverse is the inverse of."""
         return self._divisor_values
-
-    @property
-    def divisors(self) -> tuple[Polynomial, ...]:
-        """What the geometry divides by, hence assumes to be nonzero."""
-        return tuple(self._divisor_values.values())
 
     def _algebraic(self, terms: Mapping[tuple[int, ...], Fraction]) -> Polynomial:
         gens = [self._gens[name] for name in self._constants.generators]

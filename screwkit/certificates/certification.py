@@ -240,7 +240,7 @@ class _Derivation:
         )
         found = {}
         for label in self._framed.joints:
-            scale = ring.scale_of(twists[label].coordinates)
+            scale = ring.cleared(twists[label].coordinates)[1]
             if not scale.is_constant():
                 found[label] = text(ring, scale)
         return found

@@ -46,6 +46,9 @@ DEEPEST = 8
 SHORT = 40
 """Terms of leading coefficients by which conditions are combined."""
 
+MANY = 3_000
+"""Terms of a minor beside which no other one is expanded."""
+
 LOOKED_AT = 4
 """Minors whose cases are all looked at before one is chosen."""
 
@@ -194,7 +197,7 @@ class _Search(Conditions):
             at = wider.points[0] if 0 < len(branch.pending) < MIXED else None
             if at is None or self.falls(at):
                 raise NotProvedError(
-                    "some postures of the locus were shown on none of the components"
+                    "the search ended at postures that it could place on no component"
                 )
         rank = matrix.rank_at(*at)
         roots: tuple[Unsolved, ...] = ()
@@ -210,15 +213,20 @@ class _Search(Conditions):
                 open_ones = [f for f, _ in factors if not self.positive(branch, f)]
                 weight = sum(3 + len(f.equations[0]) for f in open_ones)
                 candidates.append((weight, len(candidates), minor, factors))
-                if not open_ones:
+                if not open_ones or len(minor.value) > MANY:
                     break
         if not candidates:
             raise NotProvedError("all minors are too long")
         candidates.sort(key=lambda candidate: candidate[:2])
         known: dict[str, list[Option]] = {}
+        reason = ""
         best = None
         for _, order, minor, factors in candidates[:LOOKED_AT]:
-            options = self.options(place, factors, known)
+            try:
+                options = self.options(place, factors, known)
+            except NotProvedError as error:
+                reason = str(error)
+                continue
             left = sum(
                 1 + 4 * len(option.place.branch.pending)
                 for own in options
@@ -229,7 +237,8 @@ class _Search(Conditions):
                 best = (left, order), minor, factors, options
             if not left:
                 break
-        assert best is not None
+        if best is None:
+            raise NotProvedError(reason)
         _, minor, factors, options = best
         labels = [x for own in matrix.labels for x in own]
         return Node(
@@ -280,17 +289,9 @@ class _Search(Conditions):
     def is_open(self, option: Option) -> bool:
         """Whether work is left there."""
         branch = option.place.branch
-        if option.impossible is not None:
+        if option.impossible is not None or (branch.points and branch.is_special):
             return False
-        if not branch.points:
-            return True
-        if branch.is_special:
-            return False
-        everything = [
-            *self.problem.components,
-            *(equations for _, equations in self.finished),
-        ]
-        return not any(self.all_vanish(e, branch) for e in everything)
+        return self.ended(option.place, -1) is None
 
     def cases(
         self,

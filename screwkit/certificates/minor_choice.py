@@ -24,8 +24,8 @@ from screwkit.kinematics.assembly import loop_rows
 TRIED = 16
 """Orders of columns and rows from which minors are chosen."""
 
-COSTLIEST = 20_000_000
-"""Products of terms in the expansion of one minor."""
+COSTLIEST = 10**13
+"""Products of terms in the expansion of one minor, at most; most cancel on the way."""
 
 _FILLED = 3 * 10**6
 

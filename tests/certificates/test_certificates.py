@@ -38,6 +38,9 @@ PROVED = (
     "generic_6r",
     "scara_pair_hard",
     "dual_planar_arm",
+    "gough_6ups",
+    "exechon",
+    "2upr_rpu",
 )
 
 
