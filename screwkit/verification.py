@@ -72,6 +72,7 @@ def verify(
         CertificateError: If the file is no certificate.
         MechanismFileError: If the mechanism that it carries, or ``case``, is wrong.
     """
+    from screwkit.analyses.singularities import assumptions_in_words  # noqa: PLC0415
     from screwkit.case import load, load_text  # noqa: PLC0415
     from screwkit.certificates.checking import check  # noqa: PLC0415
     from screwkit.certificates.postures import RefusedError  # noqa: PLC0415
@@ -80,9 +81,8 @@ def verify(
     document = _read(Path(certificate))
     changes = _changes(document.mechanism)
     try:
-        carried = load_text(
-            document.mechanism.text, document.mechanism.json, **changes
-        ).mechanism
+        own = load_text(document.mechanism.text, document.mechanism.json, **changes)
+        carried, assumed = own.mechanism, assumptions_in_words(own.assembly)
     except (MechanismFileError, ScrewkitError) as error:
         reason = f"the mechanism in it cannot be read: {error}"
         return Verification(document.case, "", False, (), reason)
@@ -94,7 +94,8 @@ def verify(
         check(document, carried, secrets.randbits(64))
     except (RefusedError, ScrewkitError) as refusal:
         return Verification(document.case, carried.title, False, (), str(refusal))
-    return Verification(document.case, carried.title, True, _parts(document))
+    parts = _parts(document)
+    return Verification(document.case, carried.title, True, parts, assumptions=assumed)
 
 
 def _read(path: Path) -> Certificate:

@@ -15,6 +15,8 @@ def verification_blocks(answer: Verification) -> tuple[Block, ...]:
     said = "accepted: every list is complete" if every else "accepted, with open lists"
     lines = [Paragraph(words(said), 1)]
     lines += [Paragraph(words(_line(part)), 2) for part in answer.parts]
+    if answer.assumptions:
+        lines.append(Paragraph(words(f"assumed: {', '.join(answer.assumptions)}"), 1))
     return tuple(lines)
 
 

@@ -34,6 +34,7 @@ class Verification(Shown):
     Attributes:
         accepted: Whether everything that the certificate claims was found to hold.
         reason: What does not hold; empty where it is accepted.
+        assumptions: What the proofs take for granted, ``d3 > 0``.
     """
 
     case: str
@@ -41,3 +42,4 @@ class Verification(Shown):
     accepted: bool
     parts: tuple[VerifiedPart, ...]
     reason: str = ""
+    assumptions: tuple[str, ...] = ()
