@@ -19,10 +19,11 @@ from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
+from screwkit.algebra.angle_basis import AngleForm
 from screwkit.algebra.batch import Array, BatchRing
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.expression import Expression
-from screwkit.algebra.trigonometric import AngleForm, Polynomial, TrigonometricRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 Term: TypeAlias = tuple[tuple[int, ...], Fraction]
 """Exponents over the generators of a `Compiled`, and the coefficient."""

@@ -78,12 +78,10 @@ def _with_a_pair(
         if solved is None:
             return None
         pair = remaining[one], remaining[two]
-        for first, second in source.sample([*combinations(shared, 2)], 1):
-            found = _onto_both(
-                ring, pair, (first, second), solved, prime, source=source
-            )
-            if found is not None:
-                return found
+        places = source.choice([*combinations(shared, 2)])
+        found = _onto_both(ring, pair, places, solved, prime, source=source)
+        if found is not None:
+            return found
     return None
 
 
@@ -153,13 +151,20 @@ def _set(
     if kind == "x":
         moved[number] = value
         return moved
-    below = (1 + value * value) % prime
+    pair = _turn_of(value, prime)
+    if pair is None:
+        return None
+    moved[ring.cosine_index(number)], moved[ring.sine_index(number)] = pair
+    return moved
+
+
+def _turn_of(tangent: int, prime: int) -> tuple[int, int] | None:
+    """(cos, sin) of the angle with this tangent of its half."""
+    below = (1 + tangent * tangent) % prime
     if not below:
         return None
     inverse = pow(below, -1, prime)
-    moved[ring.cosine_index(number)] = (1 - value * value) * inverse % prime
-    moved[ring.sine_index(number)] = 2 * value * inverse % prime
-    return moved
+    return (1 - tangent * tangent) * inverse % prime, 2 * tangent * inverse % prime
 
 
 Unknown = tuple[str, int]  # ("angle", number of the basis angle) or ("x", index)
@@ -219,12 +224,8 @@ def _angle_root(
         return None
     roots = [int(root) for root, _ in total.roots()]
     source.shuffle(roots)
-    for t in roots:
-        below = (1 + t * t) % prime
-        if below:
-            inverse = pow(below, -1, prime)
-            return (1 - t * t) * inverse % prime, 2 * t * inverse % prime
-    return None
+    turns = (_turn_of(t, prime) for t in roots)
+    return next((turn for turn in turns if turn is not None), None)
 
 
 def _in_tangent(

@@ -21,6 +21,7 @@ from typing import Any, TypeAlias
 
 from flint import Ordering, fmpq, fmpq_mpoly_ctx, fmpq_poly
 
+from screwkit.algebra.angle_basis import AngleForm, inverse_forms
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.evaluation import add_angles, evaluate, multiply_angle
 from screwkit.algebra.expression import Expression, Number
@@ -30,7 +31,6 @@ from screwkit.algebra.survey import SurveyRing, rational_root
 from screwkit.errors import ExpressionError
 
 Polynomial: TypeAlias = Any  # flint.fmpq_mpoly, which has no type stubs
-AngleForm: TypeAlias = tuple[tuple[str, int], ...]
 
 
 @dataclass(frozen=True)
@@ -116,7 +116,7 @@ class TrigonometricRing:
     def _declared_angles(self) -> dict[str, tuple[Polynomial, Polynomial]]:
         """(cos, sin) of each declared angle from those of the basis angles."""
         pairs = {}
-        for name, combination in _inverse_forms(self.basis).items():
+        for name, combination in inverse_forms(self.basis).items():
             pair = (self._one, self._zero)
             for i, count in combination:
                 basis = (self.cosines[i], self.sines[i])
@@ -354,45 +354,3 @@ def _cleared(
     for exponent, terms in parts.items():
         total += ring.context.from_dict(terms) * divisor ** (power - exponent)
     return total
-
-
-def _inverse_forms(
-    basis: Sequence[AngleForm],
-) -> dict[str, list[tuple[int, int]]]:
-    """Each declared angle as an integer combination of basis angles.
-
-    Raises:
-        ValueError: If the basis is not unimodular.
-    """
-    names = sorted({name for form in basis for name, _ in form})
-    if len(names) != len(basis):
-        raise ValueError("an angle basis needs as many forms as angles")
-    column = {name: i for i, name in enumerate(names)}
-    size = len(names)
-    rows = [
-        [Fraction(0)] * size + [Fraction(int(i == j)) for j in range(size)]
-        for i in range(size)
-    ]
-    for i, form in enumerate(basis):
-        for name, count in form:
-            rows[i][column[name]] += count
-    for pivot in range(size):
-        chosen = next((r for r in range(pivot, size) if rows[r][pivot]), None)
-        if chosen is None:
-            raise ValueError("an angle basis must be unimodular")
-        rows[pivot], rows[chosen] = rows[chosen], rows[pivot]
-        scale = rows[pivot][pivot]
-        rows[pivot] = [value / scale for value in rows[pivot]]
-        for r in range(size):
-            if r != pivot and rows[r][pivot]:
-                factor = rows[r][pivot]
-                rows[r] = [
-                    a - factor * b for a, b in zip(rows[r], rows[pivot], strict=True)
-                ]
-    result: dict[str, list[tuple[int, int]]] = {}
-    for name, i in column.items():
-        combination = rows[i][size:]
-        if any(value.denominator != 1 for value in combination):
-            raise ValueError("an angle basis must be unimodular")
-        result[name] = [(j, int(v)) for j, v in enumerate(combination) if v]
-    return result

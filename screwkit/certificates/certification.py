@@ -138,7 +138,11 @@ class _Derivation:
     ) -> Part:
         """The claims with their proof, or with the reason why there is none."""
         loci = [self._polynomials(component) for component in components]
-        part = self._claims(question, components, idle, loci, limb, locked)
+        try:
+            part = self._claims(question, components, idle, loci, limb, locked)
+        except NotProvedError as error:
+            part = self._claims(question, (), (), (), limb, locked)
+            return replace(part, reason=f"no component is listed: {error}")
         if not complete:
             return replace(part, reason="the answer says that its list may have gaps")
         try:
@@ -194,7 +198,7 @@ class _Derivation:
     def _locus(self, component: Component, equations: tuple[Polynomial, ...]) -> Locus:
         branches = self._branches(equations, component.codimension)
         if not branches:
-            raise ArithmeticError("a component without an exact posture was answered")
+            raise NotProvedError("no exact posture on one of them was found")
         points = [at for branch in branches for at in branch.points]
         freedom = -1
         if not self._matrix.single:

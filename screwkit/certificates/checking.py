@@ -67,6 +67,9 @@ def checked(mechanism: Mechanism, part: Part, seed: str) -> None:
             _PartCheck(mechanism, part, random.Random(f"{seed}/{attempt}")).all()
         except ResampleError:
             continue
+        except (LookupError, ArithmeticError, ValueError, RecursionError) as error:
+            # Names, numbers or depths that the mechanism does not have.
+            raise RefusedError(f"it does not fit the mechanism: {error!r}") from None
         return
     raise RefusedError("roots or inverses in it do not exist at random postures")
 
@@ -152,10 +155,7 @@ class _PartCheck:
     def _zero_on(self, expression: Expression, way: Way) -> bool:
         """Whether it vanishes by the solved steps of a way alone."""
         points = islice(self._postures.on(Way(way.steps)), POINTS)
-        return all(self._value(expression, point) == 0 for point in points)
-
-    def _value(self, expression: Expression, point: PointRing) -> Any:
-        return point.value(expression)
+        return all(point.value(expression) == 0 for point in points)
 
     def _on_component(self, node: Node, way: Way) -> None:
         try:
@@ -165,7 +165,7 @@ class _PartCheck:
         multiples = {multiple.equation: multiple for multiple in node.multiples}
         for number, text in enumerate(locus.equations):
             for point in islice(self._postures.on(Way(way.steps)), POINTS):
-                value = self._value(read(text), point)
+                value = point.value(read(text))
                 if not self._follows(value, multiples.get(number), way, point):
                     raise RefusedError(f"{text} does not vanish on it")
 
@@ -175,8 +175,8 @@ class _PartCheck:
         """Whether a value is 0 by the steps of a way, or a multiple of a condition."""
         if multiple is None:
             return bool(value == 0)
-        condition = self._value(read(_condition(way, multiple.condition)), point)
-        right = self._value(read(multiple.times), point) * condition
+        condition = point.value(read(_condition(way, multiple.condition)))
+        right = point.value(read(multiple.times)) * condition
         return bool(value * self._divided(multiple.over, way, point) == right)
 
     def _in_earlier(self, node: Node, way: Way) -> None:
@@ -224,9 +224,9 @@ class _PartCheck:
         if not self._signs.never_zero(value):
             raise RefusedError(f"{node.impossible_value} may vanish")
         for point in islice(self._postures.on(Way(way.steps)), POINTS):
-            left = self._value(condition, point)
+            left = point.value(condition)
             left = left * self._divided(node.over or {}, way, point)
-            if left != self._value(value, point):
+            if left != point.value(value):
                 raise RefusedError("a condition is not what it is said to be")
 
     def _divided(self, over: Mapping[str, int], way: Way, point: PointRing) -> Any:
@@ -234,10 +234,10 @@ class _PartCheck:
         product = point.one
         for number, power in over.items():
             try:
-                step = way.steps[int(number)]
-            except (ValueError, IndexError):
+                step = dict(enumerate(way.steps))[int(number)]
+            except (ValueError, KeyError):
                 raise RefusedError(f"there is no step {number}") from None
-            product = product * self._value(read(step.over), point) ** power
+            product = product * point.value(read(step.over)) ** power
         return product
 
     def _product(self, node: Node, way: Way) -> None:
@@ -258,11 +258,11 @@ class _PartCheck:
             if node.combination:
                 left = point.zero
                 for own in node.combination:
-                    condition = self._value(read(_condition(way, own.condition)), point)
-                    term = self._value(read(own.times), point) * condition
+                    condition = point.value(read(_condition(way, own.condition)))
+                    term = point.value(read(own.times)) * condition
                     left = left + term * self._divided(own.over, way, point)
             elif node.condition >= 0:
-                left = self._value(read(_condition(way, node.condition)), point)
+                left = point.value(read(_condition(way, node.condition)))
             else:
                 try:
                     left = self._matrix.minor(point, node.rows, node.columns)
@@ -281,7 +281,7 @@ class _PartCheck:
 
     def _factor(self, case: Case, point: PointRing, *, paired: bool) -> Any:
         """A factor's value; its square where some factor is a half-angle form."""
-        values = [self._value(read(text), point) for text in case.equations]
+        values = [point.value(read(text)) for text in case.equations]
         if not values or case.power < 1:
             raise RefusedError("a case without equation or power")
         if not paired:
@@ -308,7 +308,7 @@ class _PartCheck:
     def _meets(self, point: PointRing, way: Way) -> None:
         """Postures found by roots must satisfy all conditions of a way."""
         for text in way.conditions:
-            if self._value(read(text), point) != 0:
+            if point.value(read(text)) != 0:
                 raise RefusedError(f"no root was given for {text} = 0")
 
     def _special(self, node: Node, way: Way) -> None:
@@ -366,8 +366,8 @@ class _PartCheck:
         for point in islice(self._postures.on(Way(way.steps)), POINTS):
             left = self._divided({str(multiple.equation): 1}, way, point)
             left = left * self._divided(multiple.over, way, point)
-            right = self._value(read(multiple.times), point)
-            if left != right * self._value(read(case.equations[0]), point):
+            right = point.value(read(multiple.times))
+            if left != right * point.value(read(case.equations[0])):
                 raise RefusedError(f"{case.equations[0]} is in no divisor")
 
     def _sheet(self, sheet: Sheet, way: Way) -> None:

@@ -59,12 +59,14 @@ class ClaimedLoci:
             ranks.append(self._matrix.rank(point))
             if self._part.question != "limb":
                 freedoms.append(self._matrix.freedom(point))
-        if max(ranks) != locus.rank or min(ranks) >= self._part.rank:
+        if max(ranks) >= self._part.rank:
+            raise RefusedError(f"the rank on it is {max(ranks)}, as in general")
+        if max(ranks) != locus.rank:
             raise RefusedError(f"the rank on it is {max(ranks)}, not {locus.rank}")
-        if self._part.question == "actuation" and (
-            min(freedoms) != locus.freedom or (locus.freedom > 0) != moves
-        ):
+        if freedoms and min(freedoms) != locus.freedom:
             raise RefusedError(f"the platform has {min(freedoms)} freedoms there")
+        if self._part.question == "actuation" and (locus.freedom > 0) != moves:
+            raise RefusedError("the platform is said to move where it does not")
 
     def _points_of(self, locus: Locus) -> Iterator[PointRing]:
         for reach in locus.reach:

@@ -191,13 +191,9 @@ class Conditions:
 
     def is_of_dimensions(self, branch: Branch, own: Factor) -> bool:
         """Whether a factor ties the dimensions of the mechanism alone."""
-        allowed = set(branch.dimensions)
+        dimensions = set(branch.dimensions)
         degrees = own.equations[0].degrees()
-        extended = range(len(branch.ring.extensions))
-        used = {i for i, degree in enumerate(degrees) if degree}
-        first = branch.ring.symbol_indices().stop
-        return (
-            bool(used & allowed)
-            and all(i in allowed or i >= first for i in used if i not in extended)
-            and not used & set(extended)
-        )
+        # Behind the symbols stand the algebraic numbers.
+        numbers = branch.ring.symbol_indices().stop
+        used = {i for i, degree in enumerate(degrees) if degree and i < numbers}
+        return bool(used) and used <= dimensions

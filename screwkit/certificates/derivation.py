@@ -216,7 +216,7 @@ class _Search(Conditions):
                 if not open_ones or len(minor.value) > MANY:
                     break
         if not candidates:
-            raise NotProvedError("all minors are too long")
+            raise NotProvedError("every minor is too long, or says nothing new")
         candidates.sort(key=lambda candidate: candidate[:2])
         known: dict[str, list[Option]] = {}
         reason = ""
@@ -342,8 +342,6 @@ class _Search(Conditions):
         for option in options:
             last = len(option.place.branch.steps) - 1
             step = written_step(option.place.branch, last)
-            if step.kind == "numbers" and sheets:
-                continue
             sheets.append(Sheet(step, self.on_sheet(option)))
         return replace(case, sheets=tuple(sheets))
 

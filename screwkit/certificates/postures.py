@@ -14,6 +14,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
+from screwkit.algebra.angle_basis import inverse_forms
 from screwkit.algebra.common_root import common_root, interpolated
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.dual_point import Dual, DualRing
@@ -187,7 +188,8 @@ class Postures:
 
     def _met(self, point: PointRing, roots: Sequence[Unsolved]) -> PointRing:
         for unsolved in roots:
-            if unsolved.degree > _DEGREE:
+            beside = 0 if unsolved.beside is None else unsolved.beside.degree
+            if max(unsolved.degree, beside, *unsolved.across, 0) > _DEGREE:
                 raise RefusedError(f"{unsolved.equation} = 0 has too high a degree")
             if unsolved.beside is None:
                 point = self._on_root(point, unsolved)
@@ -354,35 +356,15 @@ def _limbs(
 
 
 def _declared(angles: Angles, wanted: set[str]) -> dict[str, dict[int, int]]:
-    """Each declared angle as a combination of basis angles: the forms turned round.
+    """Each declared angle as a combination of basis angles.
 
     Raises:
         RefusedError: If the forms are no unimodular basis of the angles.
     """
-    names = sorted({name for form in angles for name in form})
-    if set(names) != wanted or len(names) != len(angles):
+    if {name for form in angles for name in form} != wanted:
         raise RefusedError("the basis angles are not those of the mechanism")
-    size = len(names)
-    rows = [
-        [Fraction(form.get(name, 0)) for name in names]
-        + [Fraction(int(i == j)) for j in range(size)]
-        for i, form in enumerate(angles)
-    ]
-    for pivot in range(size):
-        chosen = next((r for r in range(pivot, size) if rows[r][pivot]), None)
-        if chosen is None:
-            raise RefusedError("the basis angles depend on each other")
-        rows[pivot], rows[chosen] = rows[chosen], rows[pivot]
-        rows[pivot] = [value / rows[pivot][pivot] for value in rows[pivot]]
-        for r in range(size):
-            if r != pivot and rows[r][pivot]:
-                times = rows[r][pivot]
-                rows[r] = [
-                    a - times * b for a, b in zip(rows[r], rows[pivot], strict=True)
-                ]
-    found = {}
-    for name, row in zip(names, rows, strict=True):
-        if any(value.denominator != 1 for value in row[size:]):
-            raise RefusedError("the basis angles are not unimodular")
-        found[name] = {i: int(v) for i, v in enumerate(row[size:]) if v}
-    return found
+    try:
+        found = inverse_forms([tuple(form.items()) for form in angles])
+    except ValueError as error:
+        raise RefusedError(str(error)) from None
+    return {name: dict(combination) for name, combination in found.items()}

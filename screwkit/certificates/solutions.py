@@ -64,7 +64,7 @@ class Solutions:
 
         def at(turn: Turn) -> Any:
             turned = point.changed(angle, turn)
-            return _value(equation, self._postures.moved(turned, way))
+            return self._postures.moved(turned, way).value(equation)
 
         turns = [self._postures.turn() for _ in range(5)]
         rows = [(sine, cosine, point.one) for cosine, sine in turns]
@@ -149,7 +149,7 @@ class Solutions:
 
             def at(value: Any, point: PointRing = point) -> Any:
                 moved = point.changed(numbers={step.symbol: value})
-                return _value(equation, self._postures.moved(moved, way))
+                return self._postures.moved(moved, way).value(equation)
 
             x = point.symbol(step.symbol)
             y = x + point.one
@@ -180,9 +180,5 @@ class Solutions:
             sheet = replace(solved, value="")
             there = replace(way, steps=(*way.steps, sheet))
             for point in islice(self._postures.on(Way(there.steps)), POINTS):
-                if _value(read(step.value), point) != _value(value, point):
+                if point.value(read(step.value)) != point.value(value):
                     raise RefusedError(f"{step.value} has another value there")
-
-
-def _value(expression: Expression, point: PointRing) -> Any:
-    return point.value(expression)

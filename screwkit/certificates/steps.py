@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.elimination import steps_of
@@ -38,10 +39,15 @@ def written_step(branch: Branch, number: int) -> Step:
             over=text(ring, step.divisor),
             never=_never(branch, step, image),
         )
+    return _turned("pair" if step.companions else "angle", ring, step)
+
+
+def _turned(kind: str, ring: TrigonometricRing, step: Substitution) -> Step:
+    """The step of an angle whose sine and cosine are given."""
     images = dict(step.images)
     angle = next(k for k in range(len(ring.basis)) if ring.sine_index(k) in images)
     return Step(
-        "pair" if step.companions else "angle",
+        kind,
         angle=angle,
         sine=text(ring, images[ring.sine_index(angle)]),
         cosine=text(ring, images[ring.cosine_index(angle)]),
@@ -60,18 +66,8 @@ def _never(branch: Branch, step: Substitution, image: Polynomial) -> tuple[Step,
         if inner.relation is not None:
             angle, numbers = numbers_of(ring, step.divisor)
             found.append(Step("numbers", angle=angle, numbers=numbers, value=there))
-            continue
-        images = dict(inner.images)
-        angle = next(k for k in range(len(ring.basis)) if ring.sine_index(k) in images)
-        found.append(
-            Step(
-                "angle",
-                angle=angle,
-                sine=text(ring, images[ring.sine_index(angle)]),
-                cosine=text(ring, images[ring.cosine_index(angle)]),
-                value=there,
-            )
-        )
+        else:
+            found.append(replace(_turned("angle", ring, inner), value=there))
     return tuple(found)
 
 

@@ -13,11 +13,11 @@ from collections import deque
 from collections.abc import Collection
 from dataclasses import dataclass
 
+from screwkit.algebra.angle_basis import AngleForm
 from screwkit.algebra.evaluation import cosine_sine
 from screwkit.algebra.ring import Ring, S
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import (
-    AngleForm,
     Polynomial,
     TrigonometricRing,
     plain_basis,

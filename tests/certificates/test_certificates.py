@@ -337,6 +337,24 @@ def test_the_hand_made_proof_of_an_arm_is_accepted() -> None:
             (Locus(("sin(q)",), 1, -1, STRAIGHT.reach),),
             "rank",
         ),
+        (
+            # One of its two sheets is no posture of lost rank.
+            arm_proof(*FACTORS),
+            (
+                Locus(
+                    ("sin(q)*cos(q)",),
+                    3,
+                    -1,
+                    (STRAIGHT.reach[0], Reach((turned("1", "0"),))),
+                ),
+            ),
+            "as in general",
+        ),
+        (
+            arm_proof(*FACTORS[:2], Case(("sin(unknown)",), 1, sheets=SHEETS)),
+            (STRAIGHT,),
+            "fit",
+        ),
     ],
 )
 def test_false_proofs_of_the_arm_are_refused(

@@ -240,7 +240,8 @@ def test_words_for_motions() -> None:
     )
 
 
-def test_one_rank_counted_in_two_ways_decides_nothing() -> None:
+@pytest.mark.parametrize("seed", [1, 2])
+def test_one_rank_counted_in_two_ways_decides_nothing(seed: int) -> None:
     """A flat octahedron of Bricard's third type, its edges rods between balls.
 
     It moves in one way, and each of six rods spins: 7.  Samples near the flat posture
@@ -256,5 +257,5 @@ def test_one_rank_counted_in_two_ways_decides_nothing() -> None:
         rod = f"rod{lower}{upper}"
         joints.append(ball(f"S{rod}", "base", rod, base[lower]))
         joints.append(ball(f"T{rod}", rod, "top", top[upper]))
-    found = finite_motion(model("base", "top", *joints))
+    found = finite_motion(model("base", "top", *joints), seed=seed)
     assert found.mobility in {(), (7,)}
