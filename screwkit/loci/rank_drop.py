@@ -8,13 +8,13 @@ References: [CoxLittleOShea] §9.1 (determinantal varieties), [LongCaroKhalil201
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import Decomposition, Search, common_zeros
 from screwkit.algebra.minors import minor_table
-from screwkit.algebra.points import rank_at
+from screwkit.algebra.points import rank_at, residue
 from screwkit.algebra.trigonometric import Polynomial, content
 
 Column = Sequence[Polynomial]
@@ -76,7 +76,9 @@ def extensors(
     """Plücker coordinates of the span on a branch, one chart per choice of columns.
 
     Where the rank is ``rank`` at least one chart is not zero, and the charts are
-    proportional.
+    proportional.  A choice of columns that are dependent on all of the branch has no
+    chart: conditions that are not solved do not show that its coordinates vanish, and
+    without their common factor they would speak of other screws.
 
     Args:
         branch: Where the columns are taken.
@@ -90,7 +92,7 @@ def extensors(
     charts = [
         minors
         for chosen, minors in table.items()
-        if chosen.bit_count() == rank and minors
+        if chosen.bit_count() == rank and minors and _is_somewhere(minors, branch)
     ]
     different: dict[str, dict[int, Polynomial]] = {}
     for minors in charts:
@@ -99,6 +101,13 @@ def extensors(
             chart = {rows: -value for rows, value in chart.items()}
         different.setdefault(str(sorted(chart.items(), key=_by_rows)), chart)
     return sorted(different.values(), key=lambda c: sum(len(v) for v in c.values()))
+
+
+def _is_somewhere(chart: Mapping[int, Polynomial], branch: Branch) -> bool:
+    """Whether a chart is not zero at some exact point of the branch."""
+    if not branch.pending:
+        return True
+    return any(residue(x, *at) for at in branch.points for x in chart.values())
 
 
 def _by_rows(entry: tuple[int, Polynomial]) -> int:
