@@ -75,7 +75,7 @@ def verify(
     from screwkit.analyses.singularities import assumptions_in_words  # noqa: PLC0415
     from screwkit.case import load, load_text  # noqa: PLC0415
     from screwkit.certificates.checking import check  # noqa: PLC0415
-    from screwkit.certificates.postures import RefusedError  # noqa: PLC0415
+    from screwkit.certificates.texts import RefusedError  # noqa: PLC0415
 
     progress("reading the certificate", "")
     document = _read(Path(certificate))

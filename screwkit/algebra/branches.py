@@ -299,7 +299,8 @@ def split(branch: Branch, condition: Polynomial) -> Split | None:
     if best is None:
         return None
     factor, rest = linear_parts(ring, condition, best[1])
-    step = Substitution(((best[1], -rest),), factor, condition=condition)
+    image = best[1], -rest
+    step = Substitution((image,), factor, condition=condition, partial=True)
     pending = _still_pending(branch, step)
     if pending is None:
         return None

@@ -11,9 +11,8 @@ References: [CoxLittleOShea] §4.6 (decomposition into irreducibles).
 
 from __future__ import annotations
 
-import random
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Sequence
+from dataclasses import replace
 from itertools import combinations
 
 from screwkit.algebra.branches import (
@@ -23,10 +22,17 @@ from screwkit.algebra.branches import (
     split,
     without,
 )
-from screwkit.algebra.factors import Factor, FactorLibrary, factor
+from screwkit.algebra.factors import Factor
 from screwkit.algebra.linear_systems import linear_systems
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import coefficients_in, unknowns
+from screwkit.algebra.search import (
+    Decomposition,
+    Search,
+    parts_where,
+    possible_factors,
+    refined,
+)
 from screwkit.algebra.substitution import Substitution, angle_parts
 from screwkit.algebra.trigonometric import Polynomial, primitive
 
@@ -35,41 +41,6 @@ _PAIRS = 6
 _TERMS_PER_CASE = 80  # longer polynomials use up more of the budget
 _SETTLING = 60  # case distinctions to tell a branch from spurious zeros
 _TRIED = 10  # polynomials that are factored to choose the next case split
-
-
-@dataclass(frozen=True)
-class Decomposition:
-    """Branches whose union is the common zero set, up to what is open.
-
-    Attributes:
-        branches: On each of them every polynomial vanishes.
-        open: Pieces that contain all further zeros, if there are any.
-        special: Pieces met only by special dimensions of the mechanism; not searched.
-    """
-
-    branches: tuple[Branch, ...]
-    open: tuple[Branch, ...] = ()
-    special: tuple[Branch, ...] = ()
-
-    @property
-    def complete(self) -> bool:
-        """Whether nothing is left open."""
-        return not self.open
-
-
-@dataclass
-class Search:
-    """One decomposition under way: its budget, and the factors met so far."""
-
-    library: FactorLibrary
-    budget: int = 600
-    largest: int = 400
-    skip: Callable[[Branch], bool] = lambda branch: False
-    source: random.Random = field(default_factory=lambda: random.Random(20121))
-    found: list[Branch] = field(default_factory=list)
-    unfinished: list[Branch] = field(default_factory=list)
-    special: list[Branch] = field(default_factory=list)
-    problem: tuple[Polynomial, ...] = ()
 
 
 def common_zeros(
@@ -98,7 +69,7 @@ def _descend(
     nonzero: list[Polynomial],
     search: Search,
 ) -> None:
-    parts = _refined(branch, search)
+    parts = refined(branch, search)
     if parts is not None:
         for part in parts:
             on_part = replace_steps(part, part.steps[len(branch.steps) :])
@@ -145,49 +116,6 @@ def _descend(
             excluded.append(case.equations[0])
 
 
-def irreducible_parts(branch: Branch, search: Search) -> list[Branch]:
-    """The branch split until all its pending conditions are irreducible on it."""
-    parts = _refined(branch, search)
-    if parts is None:
-        return [branch]
-    return [inner for part in parts for inner in irreducible_parts(part, search)]
-
-
-def _refined(branch: Branch, search: Search) -> list[Branch] | None:
-    """The branch with pending conditions that later steps made reducible split up.
-
-    None where all of them are still irreducible.
-    """
-    for pending in branch.pending:
-        if len(pending.value) > search.largest:
-            continue
-        cases = possible_factors(branch, pending.value, search.library)
-        same = len(cases) == 1 and str(cases[0].equations[0]) in (
-            str(pending.value),
-            str(primitive(pending.value)),
-        )
-        if same and not is_solvable(branch, cases[0].equations[0]):
-            continue
-        before = without(branch, pending)
-        return [part for case in cases for part in _parts(before, case, search)]
-    return None
-
-
-def _parts(branch: Branch, case: Factor, search: Search) -> list[Branch]:
-    """The parts of a branch on which a factor vanishes.
-
-    A half-angle factor that cannot be solved has no single equation to go on with; it
-    is left open.
-    """
-    parts = restricted(branch, case.equations[0], case.equations[1:])
-    if len(case.equations) == 1 or not parts:
-        return parts
-    if len(parts[0].pending) > len(branch.pending):
-        search.unfinished.extend(parts)
-        return []
-    return parts
-
-
 def told_apart(branch: Branch, search: Search) -> Branch | None:
     """The branch with what distinguishes it from other zeros of its conditions.
 
@@ -196,7 +124,7 @@ def told_apart(branch: Branch, search: Search) -> Branch | None:
     that unknown.  Such a spurious part is excluded by a polynomial of the problem that
     does not vanish there.  None where that could not be settled.
     """
-    if len(branch.pending) < 2:
+    if len(branch.pending) < 2 or search.every_part:
         return branch
     last = branch.pending[-1]
     before = without(branch, last)
@@ -264,13 +192,16 @@ def _children(
     """
     condition, companions = case.equations[0], case.equations[1:]
     if companions:
-        return _parts(branch, case, search)
+        return parts_where(branch, case, search)
     if branch.pending and not is_solvable(branch, condition):
         parts = split(branch, condition)
         if parts is not None:
             on_child = replace_steps(branch, parts.solved.steps[len(branch.steps) :])
             remaining = [on_child.value(p) for p in left]
-            if _still_open(parts.solved, remaining, search) == []:
+            if (
+                not search.every_part
+                and _still_open(parts.solved, remaining, search) == []
+            ):
                 # The solved part is dense in the zeros of the condition.
                 return [parts.solved]
             _descend(branch, [*parts.left, *left], list(nonzero), search)
@@ -386,15 +317,3 @@ def _factor_keys(
                 f.key for f in possible_factors(branch, polynomial, search.library)
             }
     return keys
-
-
-def possible_factors(
-    branch: Branch, polynomial: Polynomial, library: FactorLibrary
-) -> list[Factor]:
-    """The irreducible factors that can vanish under the branch's assumptions."""
-    factored = factor(branch.ring, polynomial, library)
-    return [
-        f
-        for f, _ in factored.factors
-        if not branch.assumptions.is_nonzero(branch.ring, f.equations[0])
-    ]

@@ -29,6 +29,7 @@ class Substitution:
             other; None where there is one sheet only.
         condition: What was solved.
         companions: Further equations of a condition that takes several.
+        partial: Whether zeros of the condition are left out where the divisor vanishes.
     """
 
     images: tuple[tuple[int, Polynomial], ...]
@@ -37,6 +38,7 @@ class Substitution:
     sheet: Polynomial | None = None
     condition: Polynomial | None = None
     companions: tuple[Polynomial, ...] = ()
+    partial: bool = False
 
 
 def substituted(

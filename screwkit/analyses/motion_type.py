@@ -13,10 +13,11 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.decomposition import Search, common_zeros
+from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.minors import minors_of
 from screwkit.algebra.points import residue
+from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.kinematics.assembly import Assembly

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from screwkit.algebra.decomposition import Search
+from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.analyses.actuation_parts import actuation_parts
 from screwkit.kinematics.assembly import Assembly, LimbChain

@@ -10,16 +10,15 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.decomposition import Search
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import text
+from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.certificates.checking import checked
 from screwkit.certificates.conditions import Problem
 from screwkit.certificates.derivation import proof_of
 from screwkit.certificates.minor_choice import Matrix
-from screwkit.certificates.postures import RefusedError, read
 from screwkit.certificates.records import (
     Certificate,
     Locus,
@@ -30,6 +29,7 @@ from screwkit.certificates.records import (
 from screwkit.certificates.roots import NotProvedError, roots_of
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.steps import written_step
+from screwkit.certificates.texts import RefusedError, read
 from screwkit.certificates.written import SCHEMA
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.frames import FramedTwists

@@ -21,7 +21,7 @@ from screwkit.algebra.expression import Expression
 from screwkit.algebra.expression_building import symbols_of
 from screwkit.algebra.modular import ResampleError
 from screwkit.certificates.claimed_loci import ClaimedLoci
-from screwkit.certificates.postures import Postures, RefusedError, Way, fraction, read
+from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import (
     Case,
     Certificate,
@@ -34,6 +34,7 @@ from screwkit.certificates.records import (
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.solutions import POINTS, Solutions
+from screwkit.certificates.texts import RefusedError, fraction, read
 from screwkit.mechanism.model import Mechanism
 
 ATTEMPTS = 8

@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from itertools import islice
 
 from screwkit.algebra.exact_point import PointRing
-from screwkit.certificates.postures import Postures, RefusedError, Way, read
+from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import Locus
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.solutions import POINTS
+from screwkit.certificates.texts import RefusedError, read
 
 
 class ClaimedLoci:

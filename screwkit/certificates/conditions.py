@@ -19,7 +19,6 @@ from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.substitution import Substitution, substituted
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.certificates.minor_choice import Matrix
-from screwkit.certificates.postures import read
 from screwkit.certificates.records import Multiple
 from screwkit.certificates.roots import NotProvedError
 from screwkit.certificates.signs import Signs
@@ -27,6 +26,7 @@ from screwkit.certificates.steps import (
     followed,
     subtracted,
 )
+from screwkit.certificates.texts import read
 
 
 @dataclass(frozen=True)

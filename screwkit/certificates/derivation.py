@@ -22,7 +22,6 @@ from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 from screwkit.certificates.conditions import Conditions, Option, Place, Problem
 from screwkit.certificates.minor_choice import Minor, minors_on
-from screwkit.certificates.postures import read
 from screwkit.certificates.records import Case, Multiple, Node, Sheet, Unsolved
 from screwkit.certificates.roots import NotProvedError, roots_of
 from screwkit.certificates.steps import (
@@ -30,6 +29,7 @@ from screwkit.certificates.steps import (
     numbers_of,
     written_step,
 )
+from screwkit.certificates.texts import read
 
 NODES = 600
 """Nodes of one proof."""

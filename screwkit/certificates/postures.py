@@ -11,7 +11,6 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 from itertools import count
 from typing import Any
 from weakref import WeakKeyDictionary
@@ -30,12 +29,10 @@ from screwkit.algebra.exact_point import (
     turn_of,
 )
 from screwkit.algebra.expression import Expression, Number
-from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.modular import ResampleError, prime_for
-from screwkit.algebra.parse import parse
-from screwkit.algebra.rational_values import rational_value
 from screwkit.algebra.survey import SurveyRing
 from screwkit.certificates.records import Angles, Part, Step, Unsolved
+from screwkit.certificates.texts import RefusedError, fraction, radicands_of, read
 from screwkit.kinematics.placement import joint_twists
 from screwkit.mechanism.graph import limbs
 from screwkit.mechanism.joints import freedom_labels
@@ -44,16 +41,6 @@ from screwkit.mechanism.model import Mechanism
 _ATTEMPTS = 60
 _DEGREE = 60
 _REMEMBERED = 16
-
-
-class RefusedError(Exception):
-    """A certificate does not hold; the text says what."""
-
-
-@lru_cache(maxsize=20_000)
-def read(text: str) -> Expression:
-    """A text of a certificate as an expression; nothing is evaluated."""
-    return parse(text, limits=RESULT_LIMITS)
 
 
 @dataclass(frozen=True)
@@ -86,7 +73,7 @@ class Postures:
         joint_twists(mechanism, seen, part.origin, self._chain)
         radicands = [r.value for r in seen.roots if isinstance(r, Number)]
         self._field = ConstantField.needed_by(radicands, seen.turn)
-        roots = [*radicands, *map(Fraction, self._field.primes)]
+        roots = [*radicands, *map(Fraction, self._field.primes), *radicands_of(part)]
         self.prime = prime_for(seen.turn, roots, source.randrange(2**60))
         wanted = {*seen.angles, *map(str, seen.constant_angles)}
         self._declared = _declared(part.angles, wanted)
@@ -355,18 +342,6 @@ def _placed(point: PointRing, unsolved: Unsolved, place: int) -> PointRing:
 
 def _times(coefficients: Sequence[int], factor: int, power: int) -> list[int]:
     return [value * factor**power for value in coefficients]
-
-
-def fraction(text: str) -> Fraction:
-    """A rational number.
-
-    Raises:
-        RefusedError: If the text is none.
-    """
-    value = rational_value(read(text))
-    if value is None:
-        raise RefusedError(f"{text!r} is no rational number")
-    return value
 
 
 def _limbs(

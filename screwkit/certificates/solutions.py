@@ -14,9 +14,10 @@ from typing import Any
 
 from screwkit.algebra.exact_point import PointRing, Turn
 from screwkit.algebra.expression import Expression
-from screwkit.certificates.postures import Postures, RefusedError, Way, fraction, read
+from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import Case, Step
 from screwkit.certificates.signs import Signs
+from screwkit.certificates.texts import RefusedError, fraction, read
 
 POINTS = 3
 """Postures at which an identity is compared."""

@@ -13,7 +13,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.decomposition import Search
+from screwkit.algebra.search import Search
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.passive import PassiveState, PassiveSystem

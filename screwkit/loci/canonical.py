@@ -11,9 +11,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.decomposition import Search, common_zeros
+from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import differential, residue
+from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.loci.pieces import Piece, lies_in
 

@@ -16,14 +16,11 @@ from dataclasses import dataclass, field, replace
 from itertools import product
 
 from screwkit.algebra.branches import Branch, restricted
-from screwkit.algebra.decomposition import (
-    Search,
-    irreducible_parts,
-    possible_factors,
-)
 from screwkit.algebra.points import rank_at
+from screwkit.algebra.search import Search, irreducible_parts, possible_factors
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import loop_rows
+from screwkit.loci.exact_equations import with_exact_equations
 from screwkit.loci.pieces import Piece, lies_in, pieces_of
 from screwkit.loci.rank_drop import Column
 from screwkit.loci.strata import LimbStrata, Stratum
@@ -152,7 +149,10 @@ def loop_drop(
             unsearched = len(combinations) - position
             break
         _visit(root, chosen, walk)
-    pieces = pieces_of([*walk.found, *_other_sheets(walk.found, walk.alike)])
+    pieces = [
+        with_exact_equations(piece, root, limbs, search)
+        for piece in pieces_of([*walk.found, *_other_sheets(walk.found, walk.alike)])
+    ]
     undecided = [*walk.open, *_other_sheets(walk.open, walk.alike)]
     if not all(limb.complete for limb in strata):
         undecided.append(root)

@@ -12,9 +12,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.decomposition import Decomposition, Search, common_zeros
+from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.minors import minor_table
 from screwkit.algebra.points import rank_at, residue
+from screwkit.algebra.search import Decomposition, Search
 from screwkit.algebra.trigonometric import Polynomial, content
 
 Column = Sequence[Polynomial]

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.conversion import Conversion
-from screwkit.algebra.decomposition import Search
+from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.loci.pieces import Piece, pieces_of

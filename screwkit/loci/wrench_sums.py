@@ -24,11 +24,12 @@ from math import prod
 from typing import TypeAlias
 
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.decomposition import Search, common_zeros
+from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.minors import combined, joined
 from screwkit.algebra.modular import echelon, independent
 from screwkit.algebra.points import Point, rank_at, residue
 from screwkit.algebra.ring import Ring
+from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import loop_rows
 from screwkit.loci.rank_drop import Column, extensors

@@ -12,9 +12,10 @@ from loci.numeric import Posture, closed_at, freedoms, loop_matrix, rank, value,
 from loci.searching import posture_on
 
 import screwkit as sk
-from screwkit.algebra.decomposition import Search, common_zeros
+from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.parse import parse
+from screwkit.algebra.search import Search
 from screwkit.loci.loop_drop import loop_state
 
 RIGHT, LEFT = 0, 1

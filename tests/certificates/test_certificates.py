@@ -14,7 +14,6 @@ import screwkit
 from screwkit.algebra.expression_building import symbols_of
 from screwkit.case import load_text
 from screwkit.certificates.checking import check
-from screwkit.certificates.postures import RefusedError, read
 from screwkit.certificates.records import (
     Case,
     Certificate,
@@ -26,6 +25,7 @@ from screwkit.certificates.records import (
     Source,
     Step,
 )
+from screwkit.certificates.texts import RefusedError, read
 from screwkit.certificates.written import SCHEMA, MalformedError, from_text, to_text
 from screwkit.verification import CertificateError, verify
 
@@ -41,6 +41,7 @@ PROVED = (
     "gough_6ups",
     "exechon",
     "2upr_rpu",
+    "rssr",
 )
 
 
