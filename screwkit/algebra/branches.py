@@ -53,6 +53,7 @@ class Branch:
         extra: Further equations that tell the branch from other zeros of its
             conditions.
         nonvanishing: Polynomials of the whole ring that are zero nowhere.
+        directions: Vectors of the whole ring that are zero nowhere.
         thorough: Look for points on conditions that share their unknowns, by
             resultants; that may take long.
         dimensions: Indices of the symbols that are dimensions of the mechanism, not
@@ -67,6 +68,7 @@ class Branch:
     dimensions: tuple[int, ...] = ()
     extra: tuple[Polynomial, ...] = ()
     nonvanishing: tuple[Polynomial, ...] = ()
+    directions: tuple[tuple[Polynomial, ...], ...] = ()
     thorough: bool = False
 
     @property

@@ -24,6 +24,7 @@ from screwkit.algebra.branches import (
     without,
 )
 from screwkit.algebra.factors import Factor, FactorLibrary, factor
+from screwkit.algebra.nowhere_zero import loses_a_direction, without_nowhere_zero
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import coefficients_in, unknowns
 from screwkit.algebra.substitution import Substitution, angle_parts
@@ -82,10 +83,14 @@ def common_zeros(
         search: Budget and known factors; pieces for which ``search.skip`` is true are
             left out (they are contained in something the caller knows).
     """
-    search.problem = tuple(p for p in polynomials if p != 0)
     nonzero = branch.divisors
+    ring = branch.ring
+    shorter = [
+        without_nowhere_zero(ring, [p], nonzero)[0] for p in polynomials if p != 0
+    ]
+    search.problem = tuple(shorter)
     if all(p != 0 for p in nonzero):
-        _descend(branch, list(polynomials), nonzero, search)
+        _descend(branch, shorter, nonzero, search)
     return Decomposition(
         tuple(search.found), tuple(search.unfinished), tuple(search.special)
     )
@@ -116,7 +121,9 @@ def _descend(
         search.unfinished.append(branch)
         return
     if not left:
-        exact = told_apart(branch, search) if branch.points else None
+        if loses_a_direction(branch):
+            return
+        exact = told_apart(branch, search) if _is_possible(branch) else None
         if exact is None:
             search.unfinished.append(branch)
         else:
@@ -142,6 +149,13 @@ def _descend(
             _descend(child, [on_child.value(p) for p in left], kept, search)
         if len(case.equations) == 1:
             excluded.append(case.equations[0])
+
+
+def _is_possible(branch: Branch) -> bool:
+    """Whether the branch has points, and none at which something nonzero vanishes."""
+    return bool(branch.points) and all(
+        any(residue(p, *point) for point in branch.points) for p in branch.nonvanishing
+    )
 
 
 def irreducible_parts(branch: Branch, search: Search) -> list[Branch]:
