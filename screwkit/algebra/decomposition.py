@@ -24,14 +24,14 @@ from screwkit.algebra.branches import (
     without,
 )
 from screwkit.algebra.factors import Factor, FactorLibrary, factor
+from screwkit.algebra.implied import LONGEST, eliminants, resolvents
 from screwkit.algebra.nowhere_zero import loses_a_direction, without_nowhere_zero
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import coefficients_in, unknowns
-from screwkit.algebra.substitution import Substitution, angle_parts
+from screwkit.algebra.real_zeros import vanishing_together
+from screwkit.algebra.substitution import Substitution
 from screwkit.algebra.trigonometric import Polynomial, primitive
 
-_SHORT = 24  # terms of a polynomial from which resolvents are formed
-_PAIRS = 6
 _TERMS_PER_CASE = 80  # longer polynomials use up more of the budget
 _SETTLING = 60  # case distinctions to tell a branch from spurious zeros
 _TRIED = 10  # polynomials that are factored to choose the next case split
@@ -118,14 +118,14 @@ def _descend(
         return
     left = _still_open(branch, polynomials, search)
     if left is None:
-        search.unfinished.append(branch)
+        _eliminate(branch, polynomials, nonzero, search)
         return
     if not left:
         if loses_a_direction(branch):
             return
         exact = told_apart(branch, search) if _is_possible(branch) else None
         if exact is None:
-            search.unfinished.append(branch)
+            _eliminate(branch, polynomials, nonzero, search)
         else:
             search.found.append(exact)
         return
@@ -139,6 +139,11 @@ def _descend(
         return
     excluded = list(nonzero)
     for case in choice:
+        terms = _terms_of(branch, case)
+        if terms is not None:
+            if all(t != 1 for t in terms):
+                _descend(branch, [*terms, *left], excluded, search)
+            continue
         for child in _children(branch, case, left, excluded, search):
             step = child.steps[len(branch.steps) :]
             on_child = replace_steps(child, step)
@@ -149,6 +154,67 @@ def _descend(
             _descend(child, [on_child.value(p) for p in left], kept, search)
         if len(case.equations) == 1:
             excluded.append(case.equations[0])
+
+
+def _terms_of(branch: Branch, case: Factor) -> list[Polynomial] | None:
+    """What vanishes wherever a factor does, if that is a sum of squares."""
+    if len(case.equations) > 1:
+        return None
+    return vanishing_together(branch.ring, branch.assumptions, case.equations[0])
+
+
+def _eliminate(
+    branch: Branch,
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> None:
+    """Go on with what two pending conditions imply, where that can be solved.
+
+    They are imposed again after it.  Otherwise the branch is left open.
+    """
+    search.budget -= 1
+    choice = _implied_cases(branch, search) if search.budget > 0 else None
+    if choice is None:
+        search.unfinished.append(branch)
+        return
+    before = branch
+    for pending in branch.pending:
+        before = without(before, pending)
+    again = [*(p.value for p in branch.pending), *polynomials]
+    for case in choice:
+        terms = _terms_of(branch, case)
+        if terms is not None:
+            if all(t != 1 for t in terms):
+                _descend(before, [*terms, *again], list(nonzero), search)
+            continue
+        for child in restricted(before, case.equations[0], case.equations[1:]):
+            step = child.steps[len(before.steps) :]
+            on_child = replace_steps(child, step)
+            kept = [on_child.value(p) for p in nonzero]
+            kept += [s.divisor for s in step if not s.divisor.is_constant()]
+            if all(p != 0 for p in kept):
+                _descend(child, [on_child.value(p) for p in again], kept, search)
+
+
+def _implied_cases(branch: Branch, search: Search) -> list[Factor] | None:
+    """Solvable factors of something that two pending conditions imply."""
+    for one, two in combinations([p.value for p in branch.pending], 2):
+        if max(len(one), len(two)) > LONGEST:
+            continue
+        for polynomial in eliminants(branch.ring, one, two):
+            if len(polynomial) > search.largest:
+                break
+            cases = possible_factors(branch, polynomial, search.library)
+            if all(_is_simple(branch, case) for case in cases):
+                return cases
+    return None
+
+
+def _is_simple(branch: Branch, case: Factor) -> bool:
+    if len(case.equations) > 1:
+        return False
+    return is_solvable(branch, case.equations[0]) or _terms_of(branch, case) is not None
 
 
 def _is_possible(branch: Branch) -> bool:
@@ -331,34 +397,11 @@ def _cost(branch: Branch, cases: Sequence[Factor]) -> tuple[int, int]:
 
 
 def _with_resolvents(branch: Branch, left: Sequence[Polynomial]) -> list[Polynomial]:
-    """The polynomials and what two of them imply together.
-
-    Two conditions P·sin φ + Q·cos φ = 0 on one angle have a common solution only where
-    the determinant of their coefficients vanishes.
-    """
+    """The polynomials and what two of them imply together."""
     if branch.pending:
         return list(left)
-    ring = branch.ring
-    implied: dict[str, Polynomial] = {}
-    short = [(p, p.degrees()) for p in left if len(p) <= _SHORT]
-    for angle in range(len(ring.basis)):
-        places = ring.sine_index(angle), ring.cosine_index(angle)
-        rows = []
-        for polynomial, degrees in short:
-            if max(degrees[place] for place in places) != 1:
-                continue
-            parts = angle_parts(ring, polynomial, angle)
-            if parts is not None and parts[2] == 0:
-                rows.append(parts[:2])
-                if len(rows) == _PAIRS:
-                    break
-        for (p, q), (u, v) in combinations(rows, 2):
-            resolvent = ring.normal(p * v - q * u)
-            if resolvent != 0:
-                resolvent = primitive(resolvent)
-                implied[str(resolvent)] = resolvent
     known = {str(p) for p in left}
-    fresh = [p for key, p in implied.items() if key not in known]
+    fresh = [p for p in resolvents(branch.ring, left) if str(p) not in known]
     return sorted([*left, *fresh], key=len)
 
 

@@ -35,7 +35,7 @@ class Divisor:
         self._normed = all(len(minimal[i]) == 3 and minimal[i][1] == 0 for i in roots)
         sines = [s for s, _ in layout.angles if degrees[s]]
         self._signs = sines + roots
-        self._largest = LARGEST_OF_ROOTS if roots and not sines else LARGEST_NORM
+        self._largest = LARGEST_OF_ROOTS if roots else LARGEST_NORM
         self._norm: tuple[Polynomial, Polynomial] | None = None
 
     def divide(self, polynomial: Polynomial) -> Polynomial | None:
