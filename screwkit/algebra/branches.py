@@ -22,7 +22,7 @@ from screwkit.algebra.points import (
     differential,
     random_point,
     residue,
-    with_inverses,
+    with_extensions,
 )
 from screwkit.algebra.points_on import moved_onto, root_in
 from screwkit.algebra.substitution import Substitution, linear_parts, substituted
@@ -172,7 +172,10 @@ class Branch:
         )
         if solved is None:
             return None
-        point = solved
+        whole = with_extensions(self.ring, solved, prime)
+        if whole is None:
+            return None
+        point = whole
         for step in reversed(self.steps):
             if step.relation is not None:
                 index, _, polynomial = step.relation
@@ -188,9 +191,12 @@ class Branch:
             for index, image in images:
                 point[index] = image * inverse % prime
                 fixed.add(index)
-        if any(residue(value, point, prime) for value in values):
+        found = with_extensions(self.ring, point, prime)
+        # A step may have moved what stands under a root.
+        checked = [*values, *(self.conditions if self.ring.has_symbolic_roots else ())]
+        if found is None or any(residue(value, found, prime) for value in checked):
             return None
-        return with_inverses(self.ring, point, prime)
+        return found
 
 
 def _prime(source: random.Random) -> int:

@@ -14,7 +14,6 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations
 
 from screwkit.algebra.branches import (
     Branch,
@@ -23,18 +22,21 @@ from screwkit.algebra.branches import (
     split,
     without,
 )
-from screwkit.algebra.factors import Factor, FactorLibrary, factor
-from screwkit.algebra.implied import LONGEST, eliminants, resolvents
+from screwkit.algebra.cases import (
+    implied_cases,
+    possible_factors,
+    shortest_choice,
+    terms_of,
+)
+from screwkit.algebra.factors import Factor, FactorLibrary
 from screwkit.algebra.nowhere_zero import loses_a_direction, without_nowhere_zero
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import coefficients_in, unknowns
-from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.substitution import Substitution
 from screwkit.algebra.trigonometric import Polynomial, primitive
 
 _TERMS_PER_CASE = 80  # longer polynomials use up more of the budget
 _SETTLING = 60  # case distinctions to tell a branch from spurious zeros
-_TRIED = 10  # polynomials that are factored to choose the next case split
 
 
 @dataclass(frozen=True)
@@ -133,13 +135,13 @@ def _descend(
         search.unfinished.append(branch)
         return
     search.budget -= 1 + sum(map(len, left)) // _TERMS_PER_CASE
-    choice = _shortest_choice(branch, left, nonzero, search)
+    choice = shortest_choice(branch, left, nonzero, search.library, search.largest)
     if choice is None:
         search.unfinished.append(branch)
         return
     excluded = list(nonzero)
     for case in choice:
-        terms = _terms_of(branch, case)
+        terms = terms_of(branch, case)
         if terms is not None:
             if all(t != 1 for t in terms):
                 _descend(branch, [*terms, *left], excluded, search)
@@ -156,13 +158,6 @@ def _descend(
             excluded.append(case.equations[0])
 
 
-def _terms_of(branch: Branch, case: Factor) -> list[Polynomial] | None:
-    """What vanishes wherever a factor does, if that is a sum of squares."""
-    if len(case.equations) > 1:
-        return None
-    return vanishing_together(branch.ring, branch.assumptions, case.equations[0])
-
-
 def _eliminate(
     branch: Branch,
     polynomials: Sequence[Polynomial],
@@ -174,7 +169,9 @@ def _eliminate(
     They are imposed again after it.  Otherwise the branch is left open.
     """
     search.budget -= 1
-    choice = _implied_cases(branch, search) if search.budget > 0 else None
+    choice = None
+    if search.budget > 0:
+        choice = implied_cases(branch, search.library, search.largest)
     if choice is None:
         search.unfinished.append(branch)
         return
@@ -183,7 +180,7 @@ def _eliminate(
         before = without(before, pending)
     again = [*(p.value for p in branch.pending), *polynomials]
     for case in choice:
-        terms = _terms_of(branch, case)
+        terms = terms_of(branch, case)
         if terms is not None:
             if all(t != 1 for t in terms):
                 _descend(before, [*terms, *again], list(nonzero), search)
@@ -195,26 +192,6 @@ def _eliminate(
             kept += [s.divisor for s in step if not s.divisor.is_constant()]
             if all(p != 0 for p in kept):
                 _descend(child, [on_child.value(p) for p in again], kept, search)
-
-
-def _implied_cases(branch: Branch, search: Search) -> list[Factor] | None:
-    """Solvable factors of something that two pending conditions imply."""
-    for one, two in combinations([p.value for p in branch.pending], 2):
-        if max(len(one), len(two)) > LONGEST:
-            continue
-        for polynomial in eliminants(branch.ring, one, two):
-            if len(polynomial) > search.largest:
-                break
-            cases = possible_factors(branch, polynomial, search.library)
-            if all(_is_simple(branch, case) for case in cases):
-                return cases
-    return None
-
-
-def _is_simple(branch: Branch, case: Factor) -> bool:
-    if len(case.equations) > 1:
-        return False
-    return is_solvable(branch, case.equations[0]) or _terms_of(branch, case) is not None
 
 
 def _is_possible(branch: Branch) -> bool:
@@ -353,77 +330,3 @@ def _still_open(
             if any(residue(p, *point) for point in points if point is not None)
         }
     return sorted(left.values(), key=len)
-
-
-def _shortest_choice(
-    branch: Branch,
-    polynomials: Sequence[Polynomial],
-    nonzero: Sequence[Polynomial],
-    search: Search,
-) -> list[Factor] | None:
-    """The irreducible factors of the polynomial that leaves the fewest, shortest cases.
-
-    An empty list where some polynomial has no zero on the branch; None where all are
-    too long to be factored.
-    """
-    excluded = _factor_keys(branch, nonzero, search)
-    best: list[Factor] | None = None
-    for polynomial in _with_resolvents(branch, polynomials)[:_TRIED]:
-        if len(polynomial) > search.largest:
-            break
-        cases = possible_factors(branch, polynomial, search.library)
-        cases = [f for f in cases if f.key not in excluded]
-        if not cases:
-            return []
-        if best is None or _cost(branch, cases) < _cost(branch, best):
-            best = cases
-        if _cost(branch, best) <= (0, 2):
-            break
-    if best is None:
-        return None
-    return sorted(best, key=lambda f: (len(f.equations), len(f.equations[0])))
-
-
-def _cost(branch: Branch, cases: Sequence[Factor]) -> tuple[int, int]:
-    """Conditions that cannot be solved are dear, many simple ones are cheap."""
-    return (
-        sum(
-            len(f.equations[0])
-            for f in cases
-            if len(f.equations) == 1 and not is_solvable(branch, f.equations[0])
-        ),
-        len(cases),
-    )
-
-
-def _with_resolvents(branch: Branch, left: Sequence[Polynomial]) -> list[Polynomial]:
-    """The polynomials and what two of them imply together."""
-    if branch.pending:
-        return list(left)
-    known = {str(p) for p in left}
-    fresh = [p for p in resolvents(branch.ring, left) if str(p) not in known]
-    return sorted([*left, *fresh], key=len)
-
-
-def _factor_keys(
-    branch: Branch, polynomials: Sequence[Polynomial], search: Search
-) -> set[str]:
-    keys: set[str] = set()
-    for polynomial in polynomials:
-        if len(polynomial) <= search.largest:
-            keys |= {
-                f.key for f in possible_factors(branch, polynomial, search.library)
-            }
-    return keys
-
-
-def possible_factors(
-    branch: Branch, polynomial: Polynomial, library: FactorLibrary
-) -> list[Factor]:
-    """The irreducible factors that can vanish under the branch's assumptions."""
-    factored = factor(branch.ring, polynomial, library)
-    return [
-        f
-        for f, _ in factored.factors
-        if not branch.assumptions.is_nonzero(branch.ring, f.equations[0])
-    ]

@@ -219,7 +219,8 @@ class _Field:
         for key in keys:
             for taken in product((0, 1), repeat=len(self.roots)):
                 total = sum(
-                    image.get(key, 0) * prod(s for s, t in zip(signs, taken, strict=True) if t)
+                    image.get(key, 0)
+                    * prod(s for s, t in zip(signs, taken, strict=True) if t)
                     for signs, image in zip(patterns, images, strict=True)
                 )
                 below = self.size * prod(

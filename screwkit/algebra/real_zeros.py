@@ -39,9 +39,9 @@ def vanishing_together(
     if not 1 < len(polynomial) <= TERMS:
         return None
     degrees = polynomial.degrees()
-    squared = [
-        k for k in range(len(ring.basis)) if degrees[ring.cosine_index(k)] > 1
-    ][:ANGLES]
+    squared = [k for k in range(len(ring.basis)) if degrees[ring.cosine_index(k)] > 1][
+        :ANGLES
+    ]
     for choice in product((False, True), repeat=len(squared)):
         chosen = [k for k, taken in zip(squared, choice, strict=True) if taken]
         written = _in_sines(ring, polynomial, chosen)
@@ -69,9 +69,7 @@ def _in_sines(
     return polynomial
 
 
-def _monomials(
-    ring: TrigonometricRing, polynomial: Polynomial
-) -> set[tuple[int, ...]]:
+def _monomials(ring: TrigonometricRing, polynomial: Polynomial) -> set[tuple[int, ...]]:
     """Of the terms, without algebraic numbers, which are not zero."""
     first = len(ring.names) - len(ring.constant_generators)
     return {tuple(map(int, e[:first])) for e in polynomial.monoms()}

@@ -11,7 +11,8 @@ from dataclasses import replace
 from functools import cached_property
 
 from screwkit.algebra.branches import Branch, restricted
-from screwkit.algebra.decomposition import Search, common_zeros, possible_factors
+from screwkit.algebra.cases import possible_factors
+from screwkit.algebra.decomposition import Search, common_zeros
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.points import Point as ExactPoint
 from screwkit.algebra.points import residue

@@ -227,9 +227,7 @@ def _telling(
     return polynomials or None
 
 
-def _overlap(
-    limbs: Sequence[Sequence[Sequence[int]]], height: int, prime: int
-) -> bool:
+def _overlap(limbs: Sequence[Sequence[Sequence[int]]], height: int, prime: int) -> bool:
     """Whether the wrench systems of limbs share wrenches, at a point."""
     systems = [
         annihilator(limb, height, prime) if limb else _units(height) for limb in limbs
