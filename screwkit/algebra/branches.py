@@ -139,7 +139,25 @@ class Branch:
         values = list(entries)
         for step in self.steps:
             values = substituted(self.ring, values, step)
-        return values
+        return self.without_roots(values)
+
+    def without_roots(self, values: Sequence[Polynomial]) -> list[Polynomial]:
+        """A vector on this branch with 0 for symbolic roots that are 0 on all of it."""
+        if not self._zero_roots:
+            return list(values)
+        return [value.subs(self._zero_roots) for value in values]
+
+    @cached_property
+    def _zero_roots(self) -> dict[str, int]:
+        """The generators of symbolic roots whose radicands the steps make zero."""
+        found = {}
+        for name, radicand in self.ring.radicands.items():
+            values = self.ring.without_divisors([radicand])
+            for step in self.steps:
+                values = substituted(self.ring, values, step)
+            if values[0] == 0:
+                found[name] = 0
+        return found
 
     def value(self, polynomial: Polynomial) -> Polynomial:
         """A polynomial on this branch, up to a factor that is nowhere zero."""
@@ -193,7 +211,7 @@ class Branch:
                 fixed.add(index)
         found = with_extensions(self.ring, point, prime)
         # A step may have moved what stands under a root.
-        checked = [*values, *(self.conditions if self.ring.has_symbolic_roots else ())]
+        checked = [*values, *(self.conditions if self.ring.radicands else ())]
         if found is None or any(residue(value, found, prime) for value in checked):
             return None
         return found

@@ -121,7 +121,7 @@ def possible_factors(
     factored = factor(branch.ring, polynomial, library)
     found: dict[str, Factor] = {}
     for part, _ in factored.factors:
-        radicand = branch.ring.radicand_of(part.equations[0])
+        radicand = _radicand(branch, part.equations[0])
         if radicand is not None:
             inside = branch.value(branch.ring.without_divisors([radicand])[0])
             if inside != 0:
@@ -130,3 +130,12 @@ def possible_factors(
         if not branch.assumptions.is_nonzero(branch.ring, part.equations[0]):
             found[part.key] = part
     return list(found.values())
+
+
+def _radicand(branch: Branch, polynomial: Polynomial) -> Polynomial | None:
+    """The square of a symbolic root; None of what is no such root."""
+    ring = branch.ring
+    for name, inside in ring.radicands.items():
+        if polynomial == ring.generator(name):
+            return inside
+    return None

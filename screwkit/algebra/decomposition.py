@@ -118,18 +118,15 @@ def _descend(
         return
     if search.skip(branch):
         return
+    polynomials = branch.without_roots(polynomials)
     left = _still_open(branch, polynomials, search)
     if left is None:
-        _eliminate(branch, polynomials, nonzero, search)
+        if not _eliminated(branch, polynomials, nonzero, search):
+            search.unfinished.append(branch)
         return
     if not left:
-        if loses_a_direction(branch):
-            return
-        exact = told_apart(branch, search) if _is_possible(branch) else None
-        if exact is None:
-            _eliminate(branch, polynomials, nonzero, search)
-        else:
-            search.found.append(exact)
+        if not loses_a_direction(branch):
+            _settle(branch, polynomials, nonzero, search)
         return
     if search.budget <= 0:
         search.unfinished.append(branch)
@@ -158,23 +155,38 @@ def _descend(
             excluded.append(case.equations[0])
 
 
-def _eliminate(
+def _settle(
     branch: Branch,
     polynomials: Sequence[Polynomial],
     nonzero: Sequence[Polynomial],
     search: Search,
 ) -> None:
+    """Take a branch on which all polynomials vanish, or what it consists of."""
+    if _eliminated(branch, polynomials, nonzero, search):
+        return
+    exact = told_apart(branch, search) if _is_possible(branch) else None
+    if exact is None:
+        search.unfinished.append(branch)
+    else:
+        search.found.append(exact)
+
+
+def _eliminated(
+    branch: Branch,
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> bool:
     """Go on with what two pending conditions imply, where that can be solved.
 
-    They are imposed again after it.  Otherwise the branch is left open.
+    They are imposed again after it, and may turn out to be products.
     """
-    search.budget -= 1
-    choice = None
-    if search.budget > 0:
-        choice = implied_cases(branch, search.library, search.largest)
+    if len(branch.pending) < 2 or search.budget <= 0:
+        return False
+    choice = implied_cases(branch, search.library, search.largest)
     if choice is None:
-        search.unfinished.append(branch)
-        return
+        return False
+    search.budget -= 1
     before = branch
     for pending in branch.pending:
         before = without(before, pending)
@@ -192,6 +204,7 @@ def _eliminate(
             kept += [s.divisor for s in step if not s.divisor.is_constant()]
             if all(p != 0 for p in kept):
                 _descend(child, [on_child.value(p) for p in again], kept, search)
+    return True
 
 
 def _is_possible(branch: Branch) -> bool:

@@ -234,9 +234,9 @@ class TrigonometricRing:
         return bool(self.extensions or self._constants.generators)
 
     @property
-    def has_symbolic_roots(self) -> bool:
-        """Whether a root of a symbolic quantity occurs."""
-        return bool(self._radicands)
+    def radicands(self) -> Mapping[str, Polynomial]:
+        """The squares of symbolic roots by the name of their generator."""
+        return self._radicands
 
     @property
     def constant_angles(self) -> tuple[str, ...]:
@@ -280,15 +280,6 @@ class TrigonometricRing:
     def generator(self, name: str) -> Polynomial:
         """A generator by its internal name."""
         return self._gens[name]
-
-    def radicand_of(self, polynomial: Polynomial) -> Polynomial | None:
-        """The square of a symbolic root; None of what is no such root."""
-        if not self._radicands or len(polynomial) != 1:
-            return None
-        for name, inside in self._radicands.items():
-            if polynomial == self._gens[name]:
-                return inside
-        return None
 
     def without_divisors(self, column: Sequence[Polynomial]) -> list[Polynomial]:
         """The column times whatever clears its inverses; a screw is projective."""
