@@ -11,7 +11,6 @@ References: [Trager1976] §2 (norms), [CoxLittleOShea] §4.2.
 
 from __future__ import annotations
 
-import random
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import reduce

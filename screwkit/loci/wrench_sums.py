@@ -44,6 +44,9 @@ TRIED = 24
 COSTLIEST = 10**13
 """Products of terms in the expansion of one minor."""
 
+CHEAP = 200
+"""Products of terms in a minor of wrenches, which tells more than a join does."""
+
 TOGETHER, MOST = 6, 24
 """Fillings of each chart, and minors in all, that are asked at once."""
 
@@ -205,23 +208,24 @@ def _telling(
         charts.append(list(own))
     columns = [column for limb in limbs for column in limb]
     height = len(columns[0])
+    units = list(filling_units(at_point, height, prime))
+    first = [own[0] for own in charts]
+    units.sort(key=lambda one: (cost(first, one), one))
     if within and _overlap(at_point, height, prime):
         vectors = [
             vector
             for own, twists in zip(charts, at_point, strict=True)
             for vector in spanning_wrenches(branch, own[0], height, len(twists))
         ]
-        minors = overlap_minors(branch, vectors, point, prime)
+        dearest = max(CHEAP, min(cost(first, one) for one in units))
+        minors = overlap_minors(branch, vectors, (point, prime), dearest, LONGEST)
         if minors:
             return minors
-    units = list(filling_units(at_point, len(columns[0]), prime))
-    first = [own[0] for own in charts]
-    units.sort(key=lambda one: (cost(first, one), one))
     polynomials: list[Polynomial] = []
     for chosen, one in islice(product(product(*charts), units[:TOGETHER]), MOST):
         if cost(chosen, one) > COSTLIEST:
             continue
-        polynomials += sum_minors(branch.ring, chosen, one, len(columns[0]))
+        polynomials += sum_minors(branch.ring, chosen, one, height)
         if sum(map(len, polynomials)) > LONGEST:
             break
     return polynomials or None

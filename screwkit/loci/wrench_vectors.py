@@ -1,10 +1,11 @@
 """Wrenches that span a limb's wrench system wherever its twists are independent.
 
-From any r + 1 rows of r independent twists Cramer's rule gives a vector that annihilates
-them all; all such vectors together span the annihilator wherever the twists keep their
-rank.  Each may be divided by the common factor of its coordinates: the quotient is
-reciprocal by continuity, and often no more than a couple or a line.  Where limbs overlap
-in general, the minors of these vectors are far shorter than joins of the limbs.
+From any r + 1 rows of r independent twists Cramer's rule gives a vector that
+annihilates them all; together these vectors span the annihilator wherever the twists
+keep their rank.  Each may be divided by the common factor of its coordinates: the
+quotient is reciprocal by continuity, and often no more than a couple or a line.  Where
+limbs overlap in general, the minors of these vectors are far shorter than joins of the
+limbs.
 
 References: [CoxLittleOShea] §9.1, [LongCaroKhalil2012] (26).
 """
@@ -30,9 +31,6 @@ ALL = 400
 
 CHOICES = 12
 """Choices of vectors of which each gives minors, where there are more."""
-
-COSTLIEST = 10**6
-"""Products of terms in a minor."""
 
 Vector = tuple[Polynomial, ...]
 
@@ -77,30 +75,47 @@ def _size(vector: Vector) -> int:
 
 
 def overlap_minors(
-    branch: Branch, vectors: Sequence[Vector], point: Point, prime: int
+    branch: Branch,
+    vectors: Sequence[Vector],
+    at: tuple[Point, int],
+    dearest: int,
+    longest: int,
 ) -> list[Polynomial]:
     """Minors of these vectors, of the size of their rank at a point.
 
     All of them where they are few; otherwise some, one of them not zero at the point.
+
+    Args:
+        branch: Where the vectors are taken.
+        vectors: Not zero.
+        at: An exact point of the branch and its prime.
+        dearest: Products of terms that a minor may take.
+        longest: Terms of all minors together; the first ones are taken however long.
+
+    Returns:
+        Nothing where a minor would take more products of terms.
     """
+    point, prime = at
     rows = [[residue(x, point, prime) for x in vector] for vector in vectors]
     size, height = rank(rows, prime), len(vectors[0])
-    if comb(len(vectors), size) * comb(height, size) <= ALL:
-        return _minors(branch, vectors, size)
+    every = comb(len(vectors), size) * comb(height, size) <= ALL
     source = random.Random(len(vectors))
     seen: set[tuple[int, ...]] = set()
     found: list[Polynomial] = []
     for number in range(CHOICES):
-        noise = 0 if not number else 4
-        weights = [_size(v) + source.uniform(0, noise) * _size(v) for v in vectors]
+        noise = 4 if number else 0
+        weights = [_size(v) * (1 + source.uniform(0, noise)) for v in vectors]
         order = sorted(range(len(vectors)), key=weights.__getitem__)
         chosen = [order[k] for k in independent([rows[i] for i in order], prime)]
         key = tuple(sorted(chosen))
+        own = [vectors[i] for i in key]
+        if prod(map(_size, own)) > dearest or sum(map(len, found)) > longest:
+            break
+        if every:
+            return _minors(branch, vectors, size)
         if key not in seen:
             seen.add(key)
-            own = [vectors[i] for i in key]
-            if prod(map(_size, own)) <= COSTLIEST:
-                found += _minors(branch, own, size)
+            found += _minors(branch, own, size)
     return found
 
 
