@@ -32,6 +32,7 @@ from screwkit.algebra.factors import Factor, FactorLibrary
 from screwkit.algebra.nowhere_zero import loses_a_direction, without_nowhere_zero
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import coefficients_in, unknowns
+from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.substitution import Substitution
 from screwkit.algebra.trigonometric import Polynomial, primitive
 
@@ -132,6 +133,11 @@ def _descend(
         search.unfinished.append(branch)
         return
     search.budget -= 1 + sum(map(len, left)) // _TERMS_PER_CASE
+    squares = _of_squares(branch, left)
+    if squares is not None:
+        if all(p != 1 for p in squares):
+            _descend(branch, squares, nonzero, search)
+        return
     choice = shortest_choice(branch, left, nonzero, search.library, search.largest)
     if choice is None:
         search.unfinished.append(branch)
@@ -153,6 +159,21 @@ def _descend(
             _descend(child, [on_child.value(p) for p in left], kept, search)
         if len(case.equations) == 1:
             excluded.append(case.equations[0])
+
+
+def _of_squares(
+    branch: Branch, polynomials: Sequence[Polynomial]
+) -> list[Polynomial] | None:
+    """The polynomials, and what vanishes wherever one that keeps its sign does.
+
+    None where there is no such one, or nothing new.
+    """
+    known = {str(p) for p in polynomials}
+    for polynomial in polynomials:
+        terms = vanishing_together(branch.ring, branch.assumptions, polynomial)
+        if terms is not None and not known.issuperset(map(str, terms)):
+            return [*terms, *polynomials]
+    return None
 
 
 def _settle(

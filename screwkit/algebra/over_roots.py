@@ -2,8 +2,8 @@
 
 4·v² − 3 does not split over the rationals and does over Q(√3).  A polynomial is shifted
 so that its norm, the product of its conjugates, tells its factors apart; the norm has
-rational coefficients and is factored, and the common divisor with each of its factors is
-a factor of the polynomial, irreducible where its own norm is that factor.  Common
+rational coefficients and is factored, and the common divisor with each of its factors
+is a factor of the polynomial, irreducible where its own norm is that factor.  Common
 divisors are taken modulo a prime in which the roots exist, and proved by division.
 
 References: [Trager1976] §2 (norms), [CoxLittleOShea] §4.2.

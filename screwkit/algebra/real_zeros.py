@@ -1,14 +1,12 @@
-"""Real zeros of sums of squares: there every term vanishes.
+"""Real zeros of sums of squares, and of 1 − cos p·cos q: smaller than they look.
 
 A polynomial whose terms all have one sign is zero only where all of them are.  Which
-terms a trigonometric polynomial has depends on how squares of cosines are written, so
-1 − c² is tried for s² in every angle.
+terms a trigonometric polynomial has depends on how 1 = s² + c² is used, so it is made
+homogeneous in the angles too.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from itertools import product
 from typing import Any
 
 from screwkit.algebra.assumptions import Assumptions
@@ -17,16 +15,14 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 TERMS = 40
 """Of a polynomial that is looked at."""
 
-ANGLES = 5
-"""That are written in both ways."""
-
 
 def vanishing_together(
     ring: TrigonometricRing, assumptions: Assumptions, polynomial: Polynomial
 ) -> list[Polynomial] | None:
-    """Polynomials that all vanish wherever a sum of terms of one sign does.
+    """What vanishes at every real zero of a polynomial that keeps its sign.
 
-    Each is a product of different generators; 1 is among them where there is no zero.
+    Of a sum of terms of one sign that is every term; each is a product of different
+    generators, and 1 is among them where there is no zero.
 
     Args:
         ring: Of the polynomial.
@@ -34,37 +30,60 @@ def vanishing_together(
         polynomial: In normal form, not zero.
 
     Returns:
-        None where the polynomial has one term, or was not found to be such a sum.
+        None where the polynomial has one term, or was not found to keep its sign.
     """
     if not 1 < len(polynomial) <= TERMS:
         return None
-    degrees = polynomial.degrees()
-    squared = [k for k in range(len(ring.basis)) if degrees[ring.cosine_index(k)] > 1][
-        :ANGLES
-    ]
-    for choice in product((False, True), repeat=len(squared)):
-        chosen = [k for k, taken in zip(squared, choice, strict=True) if taken]
-        written = _in_sines(ring, polynomial, chosen)
+    for written in (polynomial, _homogeneous(ring, polynomial)):
         if len(written) > 1 and assumptions.has_one_sign(ring, written):
             return [_radical(ring, m) for m in _monomials(ring, written)]
-    return None
+    return _extremal(ring, polynomial)
 
 
-def _in_sines(
-    ring: TrigonometricRing, polynomial: Polynomial, angles: Iterable[int]
-) -> Polynomial:
-    """With the squares of these angles' cosines written as 1 − s²."""
+def _extremal(
+    ring: TrigonometricRing, polynomial: Polynomial
+) -> list[Polynomial] | None:
+    """Of a number and products of sines and cosines that must all be ±1 to cancel it.
+
+    Where a sine is ±1 its cosine is 0.
+    """
+    terms = {tuple(map(int, e)): c for e, c in polynomial.to_dict().items()}
+    number = abs(terms.pop((0,) * len(ring.names), 0))
+    if not number or number != sum(map(abs, terms.values())):
+        return None
+    partner: dict[int, int] = {}
+    for angle in range(len(ring.basis)):
+        sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)
+        partner |= {sine: cosine, cosine: sine}
+    occurring = {i for monomial in terms for i, e in enumerate(monomial) if e}
+    if not occurring <= set(partner):
+        return None
     gens = ring.context.gens()
-    for angle in angles:
-        place = ring.cosine_index(angle)
-        square = 1 - gens[ring.sine_index(angle)] ** 2
+    return [gens[partner[i]] for i in sorted(occurring)]
+
+
+def _homogeneous(ring: TrigonometricRing, polynomial: Polynomial) -> Polynomial:
+    """Made homogeneous in each angle by s² + c² = 1, where all degrees are even or odd.
+
+    So 1 − c² becomes s².
+    """
+    gens = ring.context.gens()
+    for angle in range(len(ring.basis)):
+        sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)
         parts: dict[int, dict[tuple[int, ...], Any]] = {}
         for exponents, coefficient in polynomial.to_dict().items():
-            count, odd = divmod(int(exponents[place]), 2)
-            rest = tuple(odd if i == place else e for i, e in enumerate(exponents))
-            parts.setdefault(count, {})[rest] = coefficient
+            degree = int(exponents[sine]) + int(exponents[cosine])
+            parts.setdefault(degree, {})[exponents] = coefficient
+        whole = max(parts)
+        if any((whole - degree) % 2 for degree in parts):
+            continue
+        unit = gens[sine] ** 2 + gens[cosine] ** 2
         polynomial = sum(
-            (ring.context.from_dict(p) * square**n for n, p in parts.items()), ring.zero
+            (
+                ring.context.from_dict(part) * unit ** ((whole - degree) // 2)
+                for degree, part in parts.items()
+            ),
+            ring.zero,
         )
     return polynomial
 
