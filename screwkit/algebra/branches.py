@@ -179,6 +179,17 @@ class Branch:
         found = [self.point(source) for _ in range(2)]
         return tuple(p for p in found if p is not None) if all(found) else ()
 
+    def vanishes(self, values: Sequence[Polynomial]) -> bool:
+        """Whether a vector in the generators left is zero on all of the branch.
+
+        Where conditions are pending the polynomials do not show it: exact points do.
+        """
+        if not self.pending:
+            return all(value == 0 for value in values)
+        return bool(self.points) and not any(
+            residue(value, *at) for at in self.points for value in values
+        )
+
     def _attempt(self, source: random.Random, prime: int) -> Point | None:
         point = random_point(self.ring, source, prime)
         if point is None:

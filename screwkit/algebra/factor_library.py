@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from screwkit.algebra.division import Divisor, exact_quotient
 from screwkit.algebra.half_angle import Form, HalfAngles
 from screwkit.algebra.irreducible import Shape, is_irreducible, shape
-from screwkit.algebra.over_roots import Root
+from screwkit.algebra.over_roots import Root, quotient_number
 from screwkit.algebra.points import residue
 from screwkit.algebra.restrictions import Layout, Probe, Restrictions
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
@@ -283,8 +283,12 @@ class FactorLibrary:
             return None
         if len(found) == 1 and found[0][1] == 1:
             return [(self.irreducible(polynomial), 1)]
-        paired = halves.paired(found)
-        return [(self._final(form, proved=True), m) for form, m in paired]
+        whole = halves.product(form for form, m in found for _ in range(m))
+        number = quotient_number(polynomial, halves.exact(whole), self._roots)
+        parts = [
+            (self._final(form, proved=True), m) for form, m in halves.paired(found)
+        ]
+        return parts if number is None else [(self.irreducible(number), 1), *parts]
 
     def _parted(
         self, polynomial: Polynomial, found: Shape

@@ -22,7 +22,7 @@ from flint import Ordering, fmpq, nmod_mpoly_ctx, nmod_poly
 from flint.utils.flint_exceptions import DomainError
 
 from screwkit.algebra.modular import prime_for
-from screwkit.algebra.trigonometric import Polynomial
+from screwkit.algebra.trigonometric import Polynomial, primitive
 
 TERMS = 40
 """Of a polynomial that is factored."""
@@ -69,6 +69,37 @@ def factors_over_roots(
         if found is not None:
             return [(field.shifted(f, variable, -count), m) for f, m in found]
     return None
+
+
+def quotient_number(
+    value: Polynomial, divisor: Polynomial, roots: Sequence[Root]
+) -> Polynomial | None:
+    """The irrational number by which two proportional polynomials differ.
+
+    Up to a rational factor; None where that is all.
+    """
+    names = [str(generator) for generator in value.context().gens()]
+    field = _Field(value.context(), names, roots)
+    places = {root.place for root in roots}
+
+    def free(monomial: Sequence[int]) -> tuple[int, ...]:
+        return tuple(0 if i in places else int(e) for i, e in enumerate(monomial))
+
+    lead = max(free(monomial) for monomial in value.monoms())
+    above, below = (
+        p.context().from_dict(
+            {
+                tuple(int(e) if i in places else 0 for i, e in enumerate(key)): c
+                for key, c in p.to_dict().items()
+                if free(key) == lead
+            }
+        )
+        for p in (value, divisor)
+    )
+    number = field.quotient(above, below)
+    if number is None or number.is_constant():
+        return None
+    return primitive(number)
 
 
 def _factors(

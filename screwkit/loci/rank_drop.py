@@ -101,6 +101,8 @@ def extensors(
     nonzero = branch.divisors
     different: dict[str, dict[int, Polynomial]] = {}
     for minors in charts:
+        if branch.vanishes([*minors.values()]):
+            continue  # divided by a condition of the branch it would tell nothing of it
         values = without_nowhere_zero(branch.ring, [*minors.values()], nonzero)
         if library is not None:
             values = [*without_common_factors(branch.ring, values, library)]

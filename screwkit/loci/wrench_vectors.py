@@ -55,7 +55,7 @@ def spanning_wrenches(
             minor = extensor.get(whole ^ 1 << row)
             if minor is not None:
                 vector[row] = -minor if place % 2 else minor
-        if any(value != 0 for value in vector):
+        if not branch.vanishes(vector):
             kept = _shortened(branch, vector)
             found.setdefault(str(kept), kept)
     return sorted(found.values(), key=_size)

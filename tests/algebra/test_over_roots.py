@@ -7,7 +7,12 @@ from typing import Any
 import pytest
 from flint import Ordering, fmpq_mpoly_ctx
 
+from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.factors import factor
 from screwkit.algebra.over_roots import Root, factors_over_roots
+from screwkit.algebra.parse import parse
+from screwkit.algebra.survey import SurveyRing
+from screwkit.algebra.trigonometric import TrigonometricRing
 
 NAMES = ("x", "y", "r2", "r3")
 CONTEXT = fmpq_mpoly_ctx.get(NAMES, Ordering.lex)
@@ -87,3 +92,17 @@ def test_the_minimal_polynomial_of_a_sum_of_roots() -> None:
     for factor, _ in found:
         root = X - factor
         assert reduced((root**2 - 5) ** 2) == 24
+
+
+def test_the_factors_of_a_ring_multiply_to_the_polynomial() -> None:
+    """Also where the leading coefficients are irrational."""
+    text = "(sqrt(3)*x + (1 + sqrt(2))*y)*(x - sqrt(6)*y*cos(q))*(sqrt(2)*sin(q) - y)"
+    seen = SurveyRing()
+    evaluate(parse(text), seen)
+    ring = TrigonometricRing(seen)
+    polynomial = ring.normal(evaluate(parse(text), ring))
+    found = factor(ring, polynomial)
+    assert found.expand(ring) == polynomial
+    proper = [f for f, _ in found.factors]
+    assert len(proper) == 3
+    assert found.certified
