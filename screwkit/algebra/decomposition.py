@@ -29,6 +29,7 @@ from screwkit.algebra.cases import (
     terms_of,
 )
 from screwkit.algebra.factors import Factor, FactorLibrary
+from screwkit.algebra.linear_systems import linear_systems
 from screwkit.algebra.nowhere_zero import loses_a_direction, without_nowhere_zero
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import coefficients_in, unknowns
@@ -294,8 +295,35 @@ def told_apart(branch: Branch, search: Search) -> Branch | None:
     own = [u for u in unknowns(branch.ring, last.value) if u not in others]
     for unknown in sorted(own):
         coefficients = coefficients_in(branch.ring, last.value, unknown)
-        inner = Search(search.library, budget=_SETTLING, largest=search.largest)
-        spurious = common_zeros(before, coefficients, inner)
+        spurious = common_zeros(before, coefficients, _settling(branch, search))
+        if spurious.complete:
+            return _excluding(branch, spurious.branches, search)
+    return _linear_apart(branch, search)
+
+
+def _settling(branch: Branch, search: Search) -> Search:
+    """For parts as large as the branch; smaller ones are no parts of their own."""
+    own = Search(search.library, budget=_SETTLING, largest=search.largest)
+    return replace(own, skip=lambda part: part.codimension > branch.codimension)
+
+
+def _linear_apart(branch: Branch, search: Search) -> Branch | None:
+    """The same where pending conditions determine some symbols together.
+
+    Away from the zeros of the determinant they are a graph over the other conditions,
+    as irreducible as these.
+    """
+    values = [p.value for p in branch.pending]
+    for system in linear_systems(branch.ring, values):
+        before = branch
+        for k in system.conditions:
+            before = without(before, branch.pending[k])
+        if told_apart(before, search) != before:
+            continue
+        zeros = [system.determinant, *(values[k] for k in system.conditions)]
+        for p in before.pending:
+            zeros += [zeros[0] - p.value, zeros[0] + p.value]
+        spurious = common_zeros(before, zeros, _settling(branch, search))
         if spurious.complete:
             return _excluding(branch, spurious.branches, search)
     return None

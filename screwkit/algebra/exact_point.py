@@ -30,6 +30,7 @@ class PointRing(ModularRing):
         declared: Each declared angle as an integer combination of basis angles.
         turns: (cos, sin) of the basis angles.
         numbers: Values of symbols.
+        constants_of: Another point mod the same prime, whose constants serve here too.
     """
 
     def __init__(
@@ -39,8 +40,12 @@ class PointRing(ModularRing):
         declared: Mapping[str, Mapping[int, int]],
         turns: Sequence[Turn],
         numbers: Mapping[str, Residue],
+        constants_of: PointRing | None = None,
     ) -> None:
         super().__init__(0, prime, constants)
+        if constants_of is not None:
+            self._generators = constants_of._generators
+            self._turns = constants_of._turns
         self.turns = tuple(turns)
         self.numbers = dict(numbers)
         self._declared = declared
@@ -61,6 +66,7 @@ class PointRing(ModularRing):
             self._declared,
             turns,
             self.numbers | dict(numbers or {}),
+            self,
         )
 
     def value(self, expression: Expression) -> Residue:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, TypeAlias
 
 from flint import fmpz, nmod, nmod_mat, nmod_poly
@@ -56,7 +57,7 @@ class ModularRing:
     ) -> None:
         self.prime = prime
         self.constants = constants or _USUAL
-        self._source = random.Random(seed)
+        self._seed = seed
         self._symbols: dict[str, Residue] = {}
         self._angles: dict[str, tuple[Residue, Residue]] = {}
         self._roots: dict[Expression, Residue] = {}
@@ -64,6 +65,10 @@ class ModularRing:
         self._generators: dict[str, Residue] = {}
         self.known: Known[Residue] = {}
         self._turns: dict[Fraction, tuple[Residue, Residue]] = {}
+
+    @cached_property
+    def _source(self) -> random.Random:
+        return random.Random(self._seed)
 
     @property
     def zero(self) -> Residue:

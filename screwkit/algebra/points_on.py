@@ -14,6 +14,7 @@ from typing import Any
 from flint import nmod_poly
 
 from screwkit.algebra.common_root import common_root
+from screwkit.algebra.linear_systems import linear_systems, solved_at
 from screwkit.algebra.points import Point, random_angle, residue
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
@@ -46,6 +47,13 @@ def moved_onto(
             if free:
                 break
         else:
+            systems = linear_systems(ring, remaining)
+            if systems:
+                system = systems[0]
+                taken = {*system.conditions}
+                rest = [p for k, p in enumerate(remaining) if k not in taken]
+                before = moved_onto(ring, rest, point, source, prime, pairs=pairs)
+                return before and solved_at(remaining, system, before, prime)
             return (
                 _with_a_pair(ring, remaining, point, source, prime) if pairs else None
             )

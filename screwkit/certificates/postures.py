@@ -12,7 +12,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
+from itertools import count
 from typing import Any
+from weakref import WeakKeyDictionary
 
 from screwkit.algebra.angle_basis import inverse_forms
 from screwkit.algebra.common_root import common_root, interpolated
@@ -41,6 +43,7 @@ from screwkit.mechanism.model import Mechanism
 
 _ATTEMPTS = 60
 _DEGREE = 60
+_REMEMBERED = 16
 
 
 class RefusedError(Exception):
@@ -88,6 +91,11 @@ class Postures:
         wanted = {*seen.angles, *map(str, seen.constant_angles)}
         self._declared = _declared(part.angles, wanted)
         self.symbols = tuple(seen.symbols)
+        self._may_fail = bool(seen.roots or seen.divisors or part.scales)
+        self._first: PointRing | None = None
+        self._first = self._drawn()
+        self._known: dict[tuple[Step, ...], list[tuple[PointRing, PointRing]]] = {}
+        self._twists = WeakKeyDictionary[PointRing, Mapping[str, tuple[Any, ...]]]()
 
     def on(self, way: Way, roots: Sequence[Unsolved] = ()) -> Iterator[PointRing]:
         """Random postures that the steps of a way and some conditions admit.
@@ -95,8 +103,7 @@ class Postures:
         Raises:
             RefusedError: If none is found in many attempts.
         """
-        for point in self.drawn_before(way, roots):
-            yield self.moved(point, way)
+        return (there for _, there in self._drawings(way, roots))
 
     def drawn_before(
         self, way: Way, roots: Sequence[Unsolved] = ()
@@ -106,18 +113,42 @@ class Postures:
         Raises:
             RefusedError: If none is found in many attempts.
         """
-        while True:
-            for _ in range(_ATTEMPTS):
-                try:
-                    point = self._met(self._drawn(), roots)
-                    # Where the roots in the geometry exist all others do, too.
-                    self.twists(self.moved(point, way))
-                except (ResampleError, ZeroDivisionError):
-                    continue
-                yield point
-                break
-            else:
-                raise RefusedError("no exact posture was found where one is claimed")
+        return (before for before, _ in self._drawings(way, roots))
+
+    def _drawings(
+        self, way: Way, roots: Sequence[Unsolved]
+    ) -> Iterator[tuple[PointRing, PointRing]]:
+        """Points before and after the steps; the same again for the same steps.
+
+        Whoever wrote the certificate knows none of them, so that one set of points
+        serves all questions about a way.  Where a step leaves a choice between two
+        solutions every question makes its own.
+        """
+        if roots or any(step.kind == "numbers" for step in way.steps):
+            while True:
+                yield self._drawing(way, roots)
+        known = self._known.pop(way.steps, [])
+        self._known[way.steps] = known
+        if len(self._known) > _REMEMBERED:
+            del self._known[next(iter(self._known))]
+        for number in count():
+            if number == len(known):
+                known.append(self._drawing(way, ()))
+            yield known[number]
+
+    def _drawing(
+        self, way: Way, roots: Sequence[Unsolved]
+    ) -> tuple[PointRing, PointRing]:
+        for _ in range(_ATTEMPTS):
+            try:
+                before = self._met(self._drawn(), roots)
+                there = self.moved(before, way)
+                if self._may_fail:  # where the geometry's roots exist all others do
+                    self.twists(there)
+            except (ResampleError, ZeroDivisionError):
+                continue
+            return before, there
+        raise RefusedError("no exact posture was found where one is claimed")
 
     def turn(self) -> Turn:
         """A random point of the circle."""
@@ -150,6 +181,7 @@ class Postures:
             self._declared,
             [random_turn(source, p) for _ in self.part.angles],
             {name: random_residue(source, p) for name in self.symbols},
+            self._first,
         )
 
     def moved(self, point: PointRing, way: Way) -> PointRing:
@@ -288,6 +320,11 @@ class Postures:
 
     def twists(self, point: PointRing) -> Mapping[str, tuple[Any, ...]]:
         """The twists at a posture, by freedom, times their scales."""
+        if point not in self._twists:
+            self._twists[point] = self._twists_at(point)
+        return self._twists[point]
+
+    def _twists_at(self, point: PointRing) -> Mapping[str, tuple[Any, ...]]:
         part = self.part
         found = joint_twists(self._mechanism, point, part.origin, self._chain)
         scales = part.scales or {}

@@ -92,8 +92,8 @@ class _Metrics:
 
 def _scaled(weight: Rows, squares: Sequence[int], prime: int) -> Rows | None:
     """The weight for coordinates that count in units of √square."""
-    diagonal = all(
-        not x for i, row in enumerate(weight) for j, x in enumerate(row) if i != j
+    diagonal = not any(
+        any(row[:i]) or any(row[i + 1 :]) for i, row in enumerate(weight)
     )
     if diagonal:
         pairs = enumerate(zip(weight, squares, strict=True))

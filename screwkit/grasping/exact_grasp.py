@@ -20,6 +20,7 @@ from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.modular import ModularRing, pivots, rank, residue_matrix
 from screwkit.algebra.reconstruction import Reconstruction
 from screwkit.algebra.residue_matrices import chosen_columns
+from screwkit.grasping.holds import holds_of
 from screwkit.grasping.matrices import GraspMatrices, grasp_matrices, grasp_rows
 from screwkit.kinematics.exact_postures import at_zero, exact_values, surveyed
 from screwkit.kinematics.placement import why_tied
@@ -223,10 +224,12 @@ def exact_grasps(
     if why_tied(mechanism):
         mechanism = at_zero(mechanism)
 
-    def matrices(ring: Any) -> GraspMatrices[Any]:
-        return grasp_matrices(mechanism, ring)
+    holds = holds_of(mechanism)
 
-    seen = surveyed(partial(grasp_rows, mechanism))
+    def matrices(ring: Any) -> GraspMatrices[Any]:
+        return grasp_matrices(mechanism, ring, holds=holds)
+
+    seen = surveyed(partial(grasp_rows, mechanism, holds=holds))
     points = [exact_values(matrices, seed, seen=seen) for seed in seeds]
     return tuple(
         ExactGrasp(found.value, found.ring, dict(found.constants), found.field)

@@ -108,6 +108,7 @@ def grasp_matrices(
     ring: Ring[S],
     twists: Twists[S] | None = None,
     carried: Mapping[str, Displacement[S]] | None = None,
+    holds: Holds | None = None,
 ) -> GraspMatrices[S]:
     """J and Gᵀ of a mechanism whose platform is the object.
 
@@ -117,12 +118,13 @@ def grasp_matrices(
         twists: Of all freedoms, where the mechanism has been moved from where the file
             describes it; in base axes about the base origin.
         carried: With them, where each body has been carried.
+        holds: From `holds_of`, where several rings are asked for.
 
     Raises:
         UndecidedError: If a joint or contact is placed nowhere.
         ExpressionError: If a coordinate has no value in the ring.
     """
-    placed = grasp_rows(mechanism, ring, twists, carried)
+    placed = grasp_rows(mechanism, ring, twists, carried, holds)
     holds, twists, rows = placed.holds, placed.twists, placed.rows
     labels = {
         joint.name: freedom_labels(joint, mechanism.space) for joint in mechanism.joints
@@ -135,14 +137,16 @@ def grasp_matrices(
         if label not in actuated and _has_rate(joint, holds)
     )
     order = (*actuated, *passive)
+    place = {label: number for number, label in enumerate(order)}
     felt = {
         hold.joint: [
-            (label, sign) for name, sign in hold.steps for label in labels[name]
+            (place[label], twists[label].coordinates, sign)
+            for name, sign in hold.steps
+            for label in labels[name]
+            if label in place
         ]
         for hold in holds.all
     }
-    place = {label: number for number, label in enumerate(order)}
-    coordinates = {label: twist.coordinates for label, twist in twists.items()}
     turning = frozenset(
         label for label in order if not _is_zero(ring, twists[label].direction)
     )
@@ -153,7 +157,7 @@ def grasp_matrices(
         tuple(actuated),
         passive,
         tuple(
-            _j_row(row, felt[row.hold.joint], place, ring, coordinates) for row in rows
+            _j_row(row.wrench, felt[row.hold.joint], len(order), ring) for row in rows
         ),
         tuple(_gt_row(row, mechanism, ring, shifted) for row in rows),
         tuple(_square(ring, row.wrench.direction) for row in rows),
@@ -198,20 +202,22 @@ def grasp_rows(
     ring: Ring[S],
     twists: Twists[S] | None = None,
     carried: Mapping[str, Displacement[S]] | None = None,
+    holds: Holds | None = None,
 ) -> PlacedRows[S]:
     """All that `grasp_matrices` asks of a ring; enough to survey it.
 
     Args:
-        mechanism: As for `grasp_matrices`, with ``ring``, ``twists`` and ``carried``.
+        mechanism: As for `grasp_matrices`, with all the other arguments.
         ring: Where the coordinates live.
         twists: Of all freedoms of a mechanism that has been moved.
         carried: With them, where each body has been carried.
+        holds: From `holds_of`, where several rings are asked for.
 
     Raises:
         UndecidedError: If a joint or contact is placed nowhere.
         ExpressionError: If a coordinate has no value in the ring.
     """
-    holds = holds_of(mechanism)
+    holds = holds or holds_of(mechanism)
     centre = reference_point(mechanism, ring)
     if twists is None:
         twists = joint_twists(mechanism, ring, mechanism.base)
@@ -272,26 +278,23 @@ def _wrenches(
 
 
 def _j_row(
-    row: GraspRow[S],
-    felt: Sequence[tuple[str, int]],
-    place: Mapping[str, int],
+    wrench: ContactWrench[S],
+    felt: Sequence[tuple[int, Sequence[S], int]],
+    width: int,
     ring: Ring[S],
-    twists: Mapping[str, Sequence[S]],
 ) -> tuple[S, ...]:
-    """The power of the row's wrench on the twist of each freedom that it feels."""
-    wrench = (*row.wrench.moment, *row.wrench.force)
-    acting = [(i, x) for i, x in enumerate(wrench) if not ring.is_zero(x)]
-    found = [ring.zero] * len(place)
+    """The power of a wrench on what it feels: columns, their twists and signs."""
+    pressing = (*wrench.moment, *wrench.force)
+    acting = [(i, x) for i, x in enumerate(pressing) if not ring.is_zero(x)]
+    found = [ring.zero] * width
     if not acting:
         return tuple(found)
-    first, *others = acting
-    for label, sign in felt:
-        if label in place:
-            twist = twists[label]
-            power = first[1] * twist[first[0]]
-            for i, x in others:
-                power = power + x * twist[i]
-            found[place[label]] = ring.normal(power if sign > 0 else -power)
+    (k, first), *others = acting
+    for column, twist, sign in felt:
+        power = first * twist[k]
+        for i, x in others:
+            power = power + x * twist[i]
+        found[column] = ring.normal(power if sign > 0 else -power)
     return tuple(found)
 
 

@@ -216,7 +216,8 @@ def _signed(twist: JointTwist[S], sign: int) -> tuple[S, ...]:
 
 def stacked(entries: Sequence[Sequence[Array]]) -> Array:
     """A matrix of arrays as one array of shape batch + (rows, columns)."""
-    batch = np.broadcast_shapes(*{np.shape(e) for row in entries for e in row})
+    shapes = {e.shape for row in entries for e in row if isinstance(e, np.ndarray)}
+    batch = np.broadcast_shapes(*shapes)
     if not batch:
         return np.array([[float(entry) for entry in row] for row in entries])
     matrix = np.empty((*batch, len(entries), len(entries[0])))

@@ -82,7 +82,9 @@ def extensors(
     """Plücker coordinates of the span on a branch, one chart per choice of columns.
 
     Where the rank is ``rank`` at least one chart is not zero, and the charts are
-    proportional.
+    proportional.  A choice of columns that are dependent on all of the branch has no
+    chart: conditions that are not solved do not show that its coordinates vanish, and
+    without their common factor they would speak of other screws.
 
     Args:
         branch: Where the columns are taken.
@@ -96,13 +98,13 @@ def extensors(
     charts = [
         minors
         for chosen, minors in table.items()
-        if chosen.bit_count() == rank and minors
+        if chosen.bit_count() == rank
+        and minors
+        and not branch.vanishes([*minors.values()])
     ]
     nonzero = branch.divisors
     different: dict[str, dict[int, Polynomial]] = {}
     for minors in charts:
-        if branch.vanishes([*minors.values()]):
-            continue  # divided by a condition of the branch it would tell nothing of it
         values = without_nowhere_zero(branch.ring, [*minors.values()], nonzero)
         if library is not None:
             values = [*without_common_factors(branch.ring, values, library)]

@@ -8,6 +8,7 @@ variables and no actuator.  Freedoms follow the selector tables of
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Final
 
 from screwkit.mechanism.model import Joint, JointType, Space
@@ -101,7 +102,11 @@ def freedom_labels(joint: Joint, space: Space = "spatial") -> tuple[str, ...]:
     Raises:
         ValueError: If its type does not exist in the plane.
     """
-    count = freedoms(joint, space)
+    return _labels(joint.name, freedoms(joint, space))
+
+
+@lru_cache(maxsize=4096)
+def _labels(name: str, count: int) -> tuple[str, ...]:
     if count == 1:
-        return (joint.name,)
-    return tuple(f"{joint.name}:{index}" for index in range(count))
+        return (name,)
+    return tuple(f"{name}:{index}" for index in range(count))

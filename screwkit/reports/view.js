@@ -98,6 +98,13 @@
     },
   };
 
+  // Bodies count where they are farthest: joints at their ends are painted over them.
+  function nearness(item, depths) {
+    if (item.type === "Label") return Infinity;
+    if (item.group === "links") return Math.min(...depths) - 1e-6 * scene.size;
+    return depths.reduce((sum, depth) => sum + depth, 0) / depths.length;
+  }
+
   function paint() {
     const ratio = window.devicePixelRatio || 1;
     canvas.width = canvas.clientWidth * ratio;
@@ -105,8 +112,7 @@
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     const shown = scene.items.filter((item) => !hidden.has(item.group)).map((item) => {
       const points = pointsOf(item).map(placed);
-      const near = points.reduce((sum, p) => sum + p[2], 0) / points.length;
-      return { item, points, near: item.type === "Label" ? Infinity : near };
+      return { item, points, near: nearness(item, points.map((p) => p[2])) };
     });
     shown.sort((a, b) => (a.near < b.near ? -1 : a.near > b.near ? 1 : 0));
     for (const { item, points } of shown) painters[item.type](item, points);

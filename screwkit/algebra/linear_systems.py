@@ -1,0 +1,98 @@
+"""Conditions that are linear in some symbols together: solved at a point all at once.
+
+Where as many conditions as symbols contain those symbols, jointly linear, and no other
+condition does, the symbols are a rational function of everything else wherever the
+determinant of their coefficients is not zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+from flint import nmod_mat
+
+from screwkit.algebra.minors import minors_of
+from screwkit.algebra.points import Point, residue
+from screwkit.algebra.substitution import linear_parts
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+
+LARGEST = 4
+"""Conditions that are solved together, at most."""
+
+
+@dataclass(frozen=True)
+class LinearSystem:
+    """Some of several conditions, and the symbols that they determine.
+
+    Attributes:
+        conditions: Positions among all conditions.
+        symbols: Indices of generators; as many.
+        determinant: Of their coefficients; not zero.
+    """
+
+    conditions: tuple[int, ...]
+    symbols: tuple[int, ...]
+    determinant: Polynomial
+
+
+def linear_systems(
+    ring: TrigonometricRing, conditions: Sequence[Polynomial]
+) -> list[LinearSystem]:
+    """The smallest systems of at least two conditions, shortest determinants first."""
+    degrees = [p.degrees() for p in conditions]
+    found: list[LinearSystem] = []
+    for size in range(2, min(len(conditions), LARGEST) + 1):
+        for chosen in combinations(ring.symbol_indices(), size):
+            own = [k for k, d in enumerate(degrees) if any(d[i] for i in chosen)]
+            if len(own) == size and all(
+                sum(int(exponents[i]) for i in chosen) <= 1
+                for k in own
+                for exponents in conditions[k].monoms()
+            ):
+                whole = _determinant(ring, [conditions[k] for k in own], chosen)
+                if whole != 0:
+                    found.append(LinearSystem(tuple(own), chosen, whole))
+        if found:
+            break
+    return sorted(found, key=lambda system: len(system.determinant))
+
+
+def solved_at(
+    conditions: Sequence[Polynomial], system: LinearSystem, point: Point, prime: int
+) -> Point | None:
+    """The point with values of the symbols that meet the conditions of a system.
+
+    None where its determinant vanishes.
+    """
+    moved = list(point)
+    for symbol in system.symbols:
+        moved[symbol] = 0
+    entries, right = [], []
+    for k in system.conditions:
+        constant = residue(conditions[k], moved, prime)
+        right.append(-constant)
+        for symbol in system.symbols:
+            moved[symbol] = 1
+            entries.append(residue(conditions[k], moved, prime) - constant)
+            moved[symbol] = 0
+    size = len(system.symbols)
+    matrix = nmod_mat(size, size, entries, prime)
+    if matrix.det() == 0:
+        return None
+    found = matrix.solve(nmod_mat(size, 1, right, prime))
+    for number, symbol in enumerate(system.symbols):
+        moved[symbol] = int(found[number, 0])
+    return moved
+
+
+def _determinant(
+    ring: TrigonometricRing, conditions: Sequence[Polynomial], symbols: Sequence[int]
+) -> Polynomial:
+    columns = [
+        [linear_parts(ring, condition, symbol)[0] for condition in conditions]
+        for symbol in symbols
+    ]
+    whole = (1 << len(columns)) - 1
+    return minors_of(ring, columns).get(whole, ring.zero)
