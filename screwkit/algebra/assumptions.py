@@ -65,6 +65,10 @@ class Assumptions:
                 return False
         return self._range(ring, polynomial / common, known).strict
 
+    def has_one_sign(self, ring: TrigonometricRing, polynomial: Polynomial) -> bool:
+        """Whether no two terms of a polynomial can have different signs."""
+        return bool(self._range(ring, polynomial, self._known(ring)).sign)
+
     def sign_of(self, ring: TrigonometricRing, polynomial: Polynomial) -> int | None:
         """1 or −1 where the polynomial has this sign everywhere, 0 for zero.
 

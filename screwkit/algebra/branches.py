@@ -22,7 +22,7 @@ from screwkit.algebra.points import (
     differential,
     random_point,
     residue,
-    with_inverses,
+    with_extensions,
 )
 from screwkit.algebra.points_on import moved_onto, root_in
 from screwkit.algebra.substitution import Substitution, linear_parts, substituted
@@ -53,6 +53,7 @@ class Branch:
         extra: Further equations that tell the branch from other zeros of its
             conditions.
         nonvanishing: Polynomials of the whole ring that are zero nowhere.
+        directions: Vectors of the whole ring that are zero nowhere.
         thorough: Look for points on conditions that share their unknowns, by
             resultants; that may take long.
         dimensions: Indices of the symbols that are dimensions of the mechanism, not
@@ -67,6 +68,7 @@ class Branch:
     dimensions: tuple[int, ...] = ()
     extra: tuple[Polynomial, ...] = ()
     nonvanishing: tuple[Polynomial, ...] = ()
+    directions: tuple[tuple[Polynomial, ...], ...] = ()
     thorough: bool = False
 
     @property
@@ -137,7 +139,25 @@ class Branch:
         values = list(entries)
         for step in self.steps:
             values = substituted(self.ring, values, step)
-        return values
+        return self.without_roots(values)
+
+    def without_roots(self, values: Sequence[Polynomial]) -> list[Polynomial]:
+        """A vector on this branch with 0 for symbolic roots that are 0 on all of it."""
+        if not self._zero_roots:
+            return list(values)
+        return [value.subs(self._zero_roots) for value in values]
+
+    @cached_property
+    def _zero_roots(self) -> dict[str, int]:
+        """The generators of symbolic roots whose radicands the steps make zero."""
+        found = {}
+        for name, radicand in self.ring.radicands.items():
+            values = self.ring.without_divisors([radicand])
+            for step in self.steps:
+                values = substituted(self.ring, values, step)
+            if values[0] == 0:
+                found[name] = 0
+        return found
 
     def value(self, polynomial: Polynomial) -> Polynomial:
         """A polynomial on this branch, up to a factor that is nowhere zero."""
@@ -159,6 +179,17 @@ class Branch:
         found = [self.point(source) for _ in range(2)]
         return tuple(p for p in found if p is not None) if all(found) else ()
 
+    def vanishes(self, values: Sequence[Polynomial]) -> bool:
+        """Whether a vector in the generators left is zero on all of the branch.
+
+        Where conditions are pending the polynomials do not show it: exact points do.
+        """
+        if not self.pending:
+            return all(value == 0 for value in values)
+        return bool(self.points) and not any(
+            residue(value, *at) for at in self.points for value in values
+        )
+
     def _attempt(self, source: random.Random, prime: int) -> Point | None:
         point = random_point(self.ring, source, prime)
         if point is None:
@@ -170,7 +201,10 @@ class Branch:
         )
         if solved is None:
             return None
-        point = solved
+        whole = with_extensions(self.ring, solved, prime)
+        if whole is None:
+            return None
+        point = whole
         for step in reversed(self.steps):
             if step.relation is not None:
                 index, _, polynomial = step.relation
@@ -186,9 +220,12 @@ class Branch:
             for index, image in images:
                 point[index] = image * inverse % prime
                 fixed.add(index)
-        if any(residue(value, point, prime) for value in values):
+        found = with_extensions(self.ring, point, prime)
+        # A step may have moved what stands under a root.
+        checked = [*values, *(self.conditions if self.ring.radicands else ())]
+        if found is None or any(residue(value, found, prime) for value in checked):
             return None
-        return with_inverses(self.ring, point, prime)
+        return found
 
 
 def _prime(source: random.Random) -> int:

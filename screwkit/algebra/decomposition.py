@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import combinations
 
 from screwkit.algebra.branches import (
     Branch,
@@ -22,25 +21,23 @@ from screwkit.algebra.branches import (
     split,
     without,
 )
+from screwkit.algebra.cases import (
+    implied_cases,
+    shortest_choice,
+    terms_of,
+)
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.linear_systems import linear_systems
+from screwkit.algebra.nowhere_zero import loses_a_direction, without_nowhere_zero
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import coefficients_in, unknowns
-from screwkit.algebra.search import (
-    Decomposition,
-    Search,
-    parts_where,
-    possible_factors,
-    refined,
-)
-from screwkit.algebra.substitution import Substitution, angle_parts
+from screwkit.algebra.real_zeros import vanishing_together
+from screwkit.algebra.search import Decomposition, Search, parts_where, refined
+from screwkit.algebra.substitution import Substitution
 from screwkit.algebra.trigonometric import Polynomial, primitive
 
-_SHORT = 24  # terms of a polynomial from which resolvents are formed
-_PAIRS = 6
 _TERMS_PER_CASE = 80  # longer polynomials use up more of the budget
 _SETTLING = 60  # case distinctions to tell a branch from spurious zeros
-_TRIED = 10  # polynomials that are factored to choose the next case split
 
 
 def common_zeros(
@@ -54,10 +51,14 @@ def common_zeros(
         search: Budget and known factors; pieces for which ``search.skip`` is true are
             left out (they are contained in something the caller knows).
     """
-    search.problem = tuple(p for p in polynomials if p != 0)
     nonzero = branch.divisors
+    ring = branch.ring
+    shorter = [
+        without_nowhere_zero(ring, [p], nonzero)[0] for p in polynomials if p != 0
+    ]
+    search.problem = tuple(shorter)
     if all(p != 0 for p in nonzero):
-        _descend(branch, list(polynomials), nonzero, search)
+        _descend(branch, shorter, nonzero, search)
     return Decomposition(
         tuple(search.found), tuple(search.unfinished), tuple(search.special)
     )
@@ -83,27 +84,36 @@ def _descend(
         return
     if search.skip(branch):
         return
+    polynomials = branch.without_roots(polynomials)
     left = _still_open(branch, polynomials, search)
     if left is None:
-        search.unfinished.append(branch)
+        if not _eliminated(branch, polynomials, nonzero, search):
+            search.unfinished.append(branch)
         return
     if not left:
-        exact = told_apart(branch, search) if branch.points else None
-        if exact is None:
-            search.unfinished.append(branch)
-        else:
-            search.found.append(exact)
+        if not loses_a_direction(branch):
+            _settle(branch, polynomials, nonzero, search)
         return
     if search.budget <= 0:
         search.unfinished.append(branch)
         return
     search.budget -= 1 + sum(map(len, left)) // _TERMS_PER_CASE
-    choice = _shortest_choice(branch, left, nonzero, search)
+    squares = _of_squares(branch, left)
+    if squares is not None:
+        if all(p != 1 for p in squares):
+            _descend(branch, squares, nonzero, search)
+        return
+    choice = shortest_choice(branch, left, nonzero, search.library, search.largest)
     if choice is None:
         search.unfinished.append(branch)
         return
     excluded = list(nonzero)
     for case in choice:
+        terms = terms_of(branch, case)
+        if terms is not None:
+            if all(t != 1 for t in terms):
+                _descend(branch, [*terms, *left], excluded, search)
+            continue
         for child in _children(branch, case, left, excluded, search):
             step = child.steps[len(branch.steps) :]
             on_child = replace_steps(child, step)
@@ -114,6 +124,80 @@ def _descend(
             _descend(child, [on_child.value(p) for p in left], kept, search)
         if len(case.equations) == 1:
             excluded.append(case.equations[0])
+
+
+def _of_squares(
+    branch: Branch, polynomials: Sequence[Polynomial]
+) -> list[Polynomial] | None:
+    """The polynomials, and what vanishes wherever one that keeps its sign does.
+
+    None where there is no such one, or nothing new.
+    """
+    known = {str(p) for p in polynomials}
+    for polynomial in polynomials:
+        terms = vanishing_together(branch.ring, branch.assumptions, polynomial)
+        if terms is not None and not known.issuperset(map(str, terms)):
+            return [*terms, *polynomials]
+    return None
+
+
+def _settle(
+    branch: Branch,
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> None:
+    """Take a branch on which all polynomials vanish, or what it consists of."""
+    if _eliminated(branch, polynomials, nonzero, search):
+        return
+    exact = told_apart(branch, search) if _is_possible(branch) else None
+    if exact is None:
+        search.unfinished.append(branch)
+    else:
+        search.found.append(exact)
+
+
+def _eliminated(
+    branch: Branch,
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> bool:
+    """Go on with what two pending conditions imply, where that can be solved.
+
+    They are imposed again after it, and may turn out to be products.
+    """
+    if len(branch.pending) < 2 or search.budget <= 0:
+        return False
+    choice = implied_cases(branch, search.library, search.largest)
+    if choice is None:
+        return False
+    search.budget -= 1
+    before = branch
+    for pending in branch.pending:
+        before = without(before, pending)
+    again = [*(p.value for p in branch.pending), *polynomials]
+    for case in choice:
+        terms = terms_of(branch, case)
+        if terms is not None:
+            if all(t != 1 for t in terms):
+                _descend(before, [*terms, *again], list(nonzero), search)
+            continue
+        for child in restricted(before, case.equations[0], case.equations[1:]):
+            step = child.steps[len(before.steps) :]
+            on_child = replace_steps(child, step)
+            kept = [on_child.value(p) for p in nonzero]
+            kept += [s.divisor for s in step if not s.divisor.is_constant()]
+            if all(p != 0 for p in kept):
+                _descend(child, [on_child.value(p) for p in again], kept, search)
+    return True
+
+
+def _is_possible(branch: Branch) -> bool:
+    """Whether the branch has points, and none at which something nonzero vanishes."""
+    return bool(branch.points) and all(
+        any(residue(p, *point) for point in branch.points) for p in branch.nonvanishing
+    )
 
 
 def told_apart(branch: Branch, search: Search) -> Branch | None:
@@ -232,88 +316,3 @@ def _still_open(
             if any(residue(p, *point) for point in points if point is not None)
         }
     return sorted(left.values(), key=len)
-
-
-def _shortest_choice(
-    branch: Branch,
-    polynomials: Sequence[Polynomial],
-    nonzero: Sequence[Polynomial],
-    search: Search,
-) -> list[Factor] | None:
-    """The irreducible factors of the polynomial that leaves the fewest, shortest cases.
-
-    An empty list where some polynomial has no zero on the branch; None where all are
-    too long to be factored.
-    """
-    excluded = _factor_keys(branch, nonzero, search)
-    best: list[Factor] | None = None
-    for polynomial in _with_resolvents(branch, polynomials)[:_TRIED]:
-        if len(polynomial) > search.largest:
-            break
-        cases = possible_factors(branch, polynomial, search.library)
-        cases = [f for f in cases if f.key not in excluded]
-        if not cases:
-            return []
-        if best is None or _cost(branch, cases) < _cost(branch, best):
-            best = cases
-        if _cost(branch, best) <= (0, 2):
-            break
-    if best is None:
-        return None
-    return sorted(best, key=lambda f: (len(f.equations), len(f.equations[0])))
-
-
-def _cost(branch: Branch, cases: Sequence[Factor]) -> tuple[int, int]:
-    """Conditions that cannot be solved are dear, many simple ones are cheap."""
-    return (
-        sum(
-            len(f.equations[0])
-            for f in cases
-            if len(f.equations) == 1 and not is_solvable(branch, f.equations[0])
-        ),
-        len(cases),
-    )
-
-
-def _with_resolvents(branch: Branch, left: Sequence[Polynomial]) -> list[Polynomial]:
-    """The polynomials and what two of them imply together.
-
-    Two conditions P·sin φ + Q·cos φ = 0 on one angle have a common solution only where
-    the determinant of their coefficients vanishes.
-    """
-    if branch.pending:
-        return list(left)
-    ring = branch.ring
-    implied: dict[str, Polynomial] = {}
-    short = [(p, p.degrees()) for p in left if len(p) <= _SHORT]
-    for angle in range(len(ring.basis)):
-        places = ring.sine_index(angle), ring.cosine_index(angle)
-        rows = []
-        for polynomial, degrees in short:
-            if max(degrees[place] for place in places) != 1:
-                continue
-            parts = angle_parts(ring, polynomial, angle)
-            if parts is not None and parts[2] == 0:
-                rows.append(parts[:2])
-                if len(rows) == _PAIRS:
-                    break
-        for (p, q), (u, v) in combinations(rows, 2):
-            resolvent = ring.normal(p * v - q * u)
-            if resolvent != 0:
-                resolvent = primitive(resolvent)
-                implied[str(resolvent)] = resolvent
-    known = {str(p) for p in left}
-    fresh = [p for key, p in implied.items() if key not in known]
-    return sorted([*left, *fresh], key=len)
-
-
-def _factor_keys(
-    branch: Branch, polynomials: Sequence[Polynomial], search: Search
-) -> set[str]:
-    keys: set[str] = set()
-    for polynomial in polynomials:
-        if len(polynomial) <= search.largest:
-            keys |= {
-                f.key for f in possible_factors(branch, polynomial, search.library)
-            }
-    return keys

@@ -13,6 +13,7 @@ from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 LARGEST_NORM = 1000  # products of terms
+LARGEST_OF_ROOTS = 100_000  # where half angles are no help
 
 
 class Divisor:
@@ -32,7 +33,9 @@ class Divisor:
         minimal = dict(ring.algebraic_relations())
         roots = [i for i in layout.constants if degrees[i]]
         self._normed = all(len(minimal[i]) == 3 and minimal[i][1] == 0 for i in roots)
-        self._signs = [s for s, _ in layout.angles if degrees[s]] + roots
+        sines = [s for s, _ in layout.angles if degrees[s]]
+        self._signs = sines + roots
+        self._largest = LARGEST_OF_ROOTS if roots else LARGEST_NORM
         self._norm: tuple[Polynomial, Polynomial] | None = None
 
     def divide(self, polynomial: Polynomial) -> Polynomial | None:
@@ -54,7 +57,7 @@ class Divisor:
         for place in self._signs:
             generator = self._ring.names[place]
             mirrored = norm.subs({generator: 0}) * 2 - norm
-            if len(mirrored) * len(norm) > LARGEST_NORM:
+            if len(mirrored) * len(norm) > self._largest:
                 return None
             cofactor = self._ring.normal(cofactor * mirrored)
             norm = self._ring.normal(norm * mirrored)

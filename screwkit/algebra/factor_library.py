@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from screwkit.algebra.division import Divisor, exact_quotient
 from screwkit.algebra.half_angle import Form, HalfAngles
 from screwkit.algebra.irreducible import Shape, is_irreducible, shape
+from screwkit.algebra.over_roots import Root, quotient_number
 from screwkit.algebra.points import residue
 from screwkit.algebra.restrictions import Layout, Probe, Restrictions
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
@@ -75,6 +76,7 @@ class FactorLibrary:
         self._halves = HalfAngles(ring, self._layout)
         self._probe = Probe(self._layout, 7)
         self._points = [self._probe.point(moved) for moved in (False, True)]
+        self._roots = square_roots(ring)
         self._pieces: dict[str, list[tuple[Factor, int]]] = {}
         self._known: list[_Known] = []
         self._residues: dict[str, tuple[int, ...]] = {}
@@ -250,6 +252,9 @@ class FactorLibrary:
         found = shape(self._layout, polynomial, 1, self._probe, known)
         if found.irreducible:
             return [(self.irreducible(polynomial, True, known), 1)]
+        over_roots = self._over_roots(polynomial)
+        if over_roots is not None:
+            return over_roots
         parts = self._parted(polynomial, found)
         if parts is not None:
             return parts
@@ -267,6 +272,23 @@ class FactorLibrary:
             )
         angles = self._halves.degrees(polynomial)
         return [(self._final(form), m) for form, m in self._halved(polynomial, angles)]
+
+    def _over_roots(self, polynomial: Polynomial) -> list[tuple[Factor, int]] | None:
+        """The factors where square roots of numbers are at hand, all proved."""
+        if not self._roots or self.is_extended(polynomial):
+            return None
+        halves, angles = self._halves, self._halves.degrees(polynomial)
+        found = halves.factor_over_roots(halves.form(polynomial, angles), self._roots)
+        if found is None:
+            return None
+        if len(found) == 1 and found[0][1] == 1:
+            return [(self.irreducible(polynomial), 1)]
+        whole = halves.product(form for form, m in found for _ in range(m))
+        number = quotient_number(polynomial, halves.exact(whole), self._roots)
+        parts = [
+            (self._final(form, proved=True), m) for form, m in halves.paired(found)
+        ]
+        return parts if number is None else [(self.irreducible(number), 1), *parts]
 
     def _parted(
         self, polynomial: Polynomial, found: Shape
@@ -322,19 +344,26 @@ class FactorLibrary:
         halves = self._halves
         return halves.paired(halves.factor(halves.form(polynomial, angles)))
 
-    def _final(self, form: Form) -> Factor:
+    def _final(self, form: Form, *, proved: bool = False) -> Factor:
         """The factor of a form that cannot be split further."""
         equations = self._halves.equations(form)
+        proved = proved or not self.ring.has_extensions
         if len(equations) == 1:
-            certified = not self.ring.has_extensions or is_irreducible(
-                self._layout, equations[0]
-            )
+            certified = proved or is_irreducible(self._layout, equations[0])
             return self.irreducible(equations[0], certified)
         key = "; ".join(map(str, equations))
         if key not in self.factors:
-            certified = not self.ring.has_extensions
+            certified = proved
             self.factors[key] = Factor(key, equations, certified, form)
         return self.factors[key]
+
+
+def square_roots(ring: TrigonometricRing) -> tuple[Root, ...]:
+    """The algebraic numbers of a ring, if all are square roots of numbers."""
+    numbers = [(i, m) for i, m in ring.algebraic_relations() if isinstance(m, tuple)]
+    if any(len(minimal) != 3 or minimal[1] for _, minimal in numbers):
+        return ()
+    return tuple(Root(place, -minimal[0]) for place, minimal in numbers)
 
 
 def _divides(parts: Restrictions, whole: Restrictions) -> bool:

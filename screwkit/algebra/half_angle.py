@@ -17,6 +17,7 @@ from typing import TypeAlias
 from flint import Ordering, fmpq_mpoly_ctx
 from flint.utils.flint_exceptions import DomainError
 
+from screwkit.algebra.over_roots import Root, factors_over_roots
 from screwkit.algebra.restrictions import Layout, Variable, coefficients
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
@@ -117,9 +118,21 @@ class HalfAngles:
 
     def factor(self, form: Form) -> list[tuple[Form, int]]:
         """The irreducible factors of a form, those that vanish at t = ∞ included."""
+        return self._as_forms(form, form.polynomial.factor()[1])
+
+    def factor_over_roots(
+        self, form: Form, roots: Sequence[Root]
+    ) -> list[tuple[Form, int]] | None:
+        """`factor` over the field of square roots; None where that is not proved."""
+        found = factors_over_roots(form.polynomial, self._names, roots)
+        return None if found is None else self._as_forms(form, found)
+
+    def _as_forms(
+        self, form: Form, factors: Iterable[tuple[Polynomial, int]]
+    ) -> list[tuple[Form, int]]:
         parts = []
         left = dict(form.degrees)
-        for factor, multiplicity in form.polynomial.factor()[1]:
+        for factor, multiplicity in factors:
             bounds = factor.degrees()
             degrees = {
                 i: int(bounds[self._size + i])

@@ -86,6 +86,27 @@ def with_inverses(
     return found
 
 
+def with_extensions(
+    ring: TrigonometricRing, point: Sequence[int], prime: int = PRIME
+) -> Point | None:
+    """The point with the values that symbolic roots and inverses have there.
+
+    None where a root does not exist.
+    """
+    found = with_inverses(ring, point, prime)
+    for generator, inside in ring.algebraic_relations():
+        if isinstance(inside, tuple):
+            continue
+        value = residue(inside, found, prime)
+        if pow(found[generator], 2, prime) != value:
+            root = root_modulo(value, prime)
+            if root is None:
+                return None
+            found[generator] = root
+            found = with_inverses(ring, found, prime)
+    return found
+
+
 def random_angle(source: random.Random, prime: int) -> tuple[int, int]:
     """(cos, sin): a random point of the circle mod p."""
     while True:

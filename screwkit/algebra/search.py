@@ -7,7 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from screwkit.algebra.branches import Branch, is_solvable, restricted, without
-from screwkit.algebra.factors import Factor, FactorLibrary, factor
+from screwkit.algebra.cases import possible_factors
+from screwkit.algebra.factors import Factor, FactorLibrary
 from screwkit.algebra.trigonometric import Polynomial, primitive
 
 
@@ -91,15 +92,3 @@ def parts_where(branch: Branch, case: Factor, search: Search) -> list[Branch]:
         search.unfinished.extend(parts)
         return []
     return parts
-
-
-def possible_factors(
-    branch: Branch, polynomial: Polynomial, library: FactorLibrary
-) -> list[Factor]:
-    """The irreducible factors that can vanish under the branch's assumptions."""
-    factored = factor(branch.ring, polynomial, library)
-    return [
-        f
-        for f, _ in factored.factors
-        if not branch.assumptions.is_nonzero(branch.ring, f.equations[0])
-    ]

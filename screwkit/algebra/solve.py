@@ -30,6 +30,7 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 LONGEST_TEXT = 300  # characters of one branch
 
 HALF = Fraction(1, 2)
+Slices = dict[tuple[int, ...], Polynomial]
 
 
 @dataclass(frozen=True)
@@ -101,6 +102,8 @@ def _angles(
         if not variables:
             continue
         slices = power_slices(ring, short.polynomial, places)
+        if _too_long(slices):
+            continue
         for variable in variables:
             form, turned = short.forms[i], slices
             if dict(form)[variable] < 0:
@@ -113,6 +116,15 @@ def _angles(
                 branches, modulo = solved
                 values = angle_values_text(branches, form, variable)
                 yield Solved(variable, values, modulo)
+
+
+def _too_long(slices: Slices) -> bool:
+    """Whether no solution can be short: all coefficients but one are written out.
+
+    A term takes four characters at least.
+    """
+    sizes = sorted(map(len, slices.values()))
+    return 4 * (sum(sizes[:-1]) - len(sizes)) > LONGEST_TEXT
 
 
 def _own_variables(ring: TrigonometricRing, short: Merged, angle: int) -> list[str]:
@@ -132,7 +144,6 @@ def _own_variables(ring: TrigonometricRing, short: Merged, angle: int) -> list[s
     return own[:2]
 
 
-Slices = dict[tuple[int, ...], Polynomial]
 Branches = tuple[list[AngleValue], str]
 
 
@@ -152,7 +163,8 @@ def _linear(
             return [core, -core], "2*pi"
         sign = ratio.sign(assumptions)
         return [core, (-core).plus(-1 if sign == -1 else 1)], "2*pi"
-    return _general(ring, short, a, b, e), "2*pi"
+    branches = _general(ring, short, a, b, e)
+    return (branches, "2*pi") if branches else None
 
 
 def _without_constant(
@@ -186,8 +198,13 @@ def _without_constant(
 def _general(
     ring: TrigonometricRing, short: Merged, a: Polynomial, b: Polynomial, e: Polynomial
 ) -> list[AngleValue]:
-    """(sin φ, cos φ) ∝ (−ae ∓ b√d, −be ± a√d) with d = a² + b² − e²."""
+    """(sin φ, cos φ) ∝ (−ae ∓ b√d, −be ± a√d) with d = a² + b² − e².
+
+    Nothing where d is too long to be written.
+    """
     inside = ring.normal(a * a + b * b - e * e)
+    if 4 * (len(inside) - 1) > LONGEST_TEXT:
+        return []
     ae, be = ring.normal(-a * e), ring.normal(-b * e)
     root = f"sqrt({_text(ring, short, inside)})"
     branches = []
@@ -267,6 +284,8 @@ def _symbols(
     free = [pair for pair in present if pair[1] not in declared]
     for place, name in free or ([] if moving else present):
         slices = power_slices(ring, short.polynomial, (place,))
+        if _too_long(slices):
+            continue
         if max(slices) == (1,):
             ratio = Quotient.of(ring, short, -_at(ring, slices, 0), slices[1,])
             yield Solved(name, (ratio.text,))

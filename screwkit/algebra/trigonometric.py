@@ -234,6 +234,11 @@ class TrigonometricRing:
         return bool(self.extensions or self._constants.generators)
 
     @property
+    def radicands(self) -> Mapping[str, Polynomial]:
+        """The squares of symbolic roots by the name of their generator."""
+        return self._radicands
+
+    @property
     def constant_angles(self) -> tuple[str, ...]:
         """Names of the basis angles that are rational numbers of radians."""
         return tuple(str(angle) for angle in self._rational_angles)

@@ -17,7 +17,7 @@ from screwkit.loci.canonical import in_known_conditions
 from screwkit.loci.lifting import with_sheets_together
 from screwkit.loci.loop_drop import LoopDrop, LoopState, loop_drop, loop_state
 from screwkit.loci.meanings import Meanings
-from screwkit.loci.pieces import Piece, pieces_of
+from screwkit.loci.pieces import Piece, pieces_of, told_apart
 from screwkit.loci.rank_drop import generic_rank, rank_drop
 from screwkit.loci.strata import in_ring, limb_strata
 from screwkit.loci.wording import all_solutions, equations_of, solved_equations
@@ -220,6 +220,7 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
         in_known_conditions(piece, root, known, Search(library))
         for piece in with_sheets_together(drop.pieces)
     ]
+    pieces = told_apart(pieces, known)
     components = tuple(
         _constraint_component(piece, limbs, meanings, assembly.dimension)
         for piece in _in_order(pieces)

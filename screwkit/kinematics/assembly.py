@@ -225,6 +225,7 @@ class Assembly:
             self.assumptions,
             dimensions=indices,
             nonvanishing=self._axis_squares.get(ring, ()),
+            directions=self._axis_directions.get(ring, ()),
         )
 
     @cached_property
@@ -238,6 +239,21 @@ class Assembly:
             found[framed.ring] = tuple(
                 square for square in squares.values() if not square.is_constant()
             )
+        return found
+
+    @cached_property
+    def _axis_directions(
+        self,
+    ) -> Mapping[TrigonometricRing, tuple[tuple[Polynomial, ...], ...]]:
+        """Directions of axes by ring, those that differ: their squares are above."""
+        found = {}
+        for framed in (self.common_twists, *self.limb_twists.values()):
+            squares = [str(s) for s in self._axis_squares.get(framed.ring, ())]
+            by_square = {
+                str(framed.axis_square(joint)): framed.axis_direction(joint)
+                for joint in framed.joints
+            }
+            found[framed.ring] = tuple(by_square[key] for key in squares)
         return found
 
     def library(self, ring: TrigonometricRing) -> FactorLibrary:

@@ -69,11 +69,15 @@ class FramedTwists:
         """The twist of a joint."""
         return self.columns[self.joints.index(joint)]
 
-    def axis_square(self, joint: str) -> Polynomial:
-        """The squared length of a joint's direction as its column has it."""
+    def axis_direction(self, joint: str) -> tuple[Polynomial, ...]:
+        """A joint's direction as its column has it, coordinates that are 0 left out."""
         column = self.column(joint)
-        omega = [x for x in column[DIRECTION] if x != 0]
-        parts = omega or [x for x in column[MOMENT] if x != 0]
+        omega = tuple(x for x in column[DIRECTION] if x != 0)
+        return omega or tuple(x for x in column[MOMENT] if x != 0)
+
+    def axis_square(self, joint: str) -> Polynomial:
+        """The squared length of `axis_direction`."""
+        parts = self.axis_direction(joint)
         return self.ring.normal(sum((x * x for x in parts), self.ring.zero))
 
 

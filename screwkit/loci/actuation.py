@@ -20,9 +20,10 @@ from screwkit.loci.passive import PassiveState, PassiveSystem
 from screwkit.loci.pieces import Piece, lies_in, pieces_of
 from screwkit.loci.rank_drop import Column, rank_drop
 from screwkit.loci.witness import Witnesses
-from screwkit.loci.wrench_sums import dependent_zeros
+from screwkit.loci.wrench_sums import Dependence, dependent_zeros
 
 _LONGEST = 60_000  # terms of a polynomial that is factored
+_APART = 300  # case distinctions where the whole determinant is too long
 _IDLE = 200  # case distinctions on all idle pieces
 
 
@@ -70,6 +71,11 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
         for limb in assembly.limbs
     ]
     zeros = dependent_zeros(root, limbs, Search(library, largest=_LONGEST))
+    if any(not branch.conditions for branch in zeros.open):
+        # Shorter minors tell where limbs that keep their ranks become dependent.
+        apart = Search(library, budget=_APART)
+        kept = dependent_zeros(root, limbs, apart, within=True)
+        zeros = Dependence((*zeros.branches, *kept.branches), zeros.open)
     pieces = pieces_of(zeros.branches)
     states = [_state(system, piece, passive) for piece in pieces]
     complete = all(_known(branch, pieces) for branch in zeros.open)

@@ -16,11 +16,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.cases import possible_factors
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.minors import minors_of
 from screwkit.algebra.modular import independent
 from screwkit.algebra.points import Point, rank_at, residue
-from screwkit.algebra.search import Search, possible_factors
+from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.errors import TooLargeError
 from screwkit.kinematics.assembly import loop_rows

@@ -16,8 +16,9 @@ from dataclasses import dataclass, field, replace
 from itertools import product
 
 from screwkit.algebra.branches import Branch, restricted
+from screwkit.algebra.cases import possible_factors
 from screwkit.algebra.points import rank_at
-from screwkit.algebra.search import Search, irreducible_parts, possible_factors
+from screwkit.algebra.search import Search, irreducible_parts
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import loop_rows
 from screwkit.loci.exact_equations import with_exact_equations

@@ -11,12 +11,13 @@ from dataclasses import replace
 from functools import cached_property
 
 from screwkit.algebra.branches import Branch, restricted
+from screwkit.algebra.cases import possible_factors
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.points import Point as ExactPoint
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import equation_text
-from screwkit.algebra.search import Search, possible_factors
+from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.loci.features import Axis, Features, Point, Statement, statements

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.points import Point, residue
@@ -91,6 +91,39 @@ def without_contained(pieces: Sequence[Piece]) -> list[Piece]:
         if not any(lies_in(piece.branches[0], other) for other in kept):
             kept.append(piece)
     return kept
+
+
+def told_apart(pieces: Sequence[Piece], known: Sequence[Polynomial]) -> list[Piece]:
+    """The pieces, none with equations that hold on all of another one too.
+
+    Where the equations of a piece do, a known condition that vanishes on the piece and
+    not on the other is added to them.
+    """
+    found = []
+    for piece in pieces:
+        inside = [o for o in pieces if o is not piece and _inside(o, piece)]
+        extra: list[Polynomial] = []
+        for other in inside:
+            if any(not _vanishes(e, other) for e in extra):
+                continue
+            telling = (
+                f for f in known if _vanishes(f, piece) and not _vanishes(f, other)
+            )
+            extra += [f for f, _ in zip(telling, range(1), strict=False)]
+        found.append(replace(piece, equations=(*piece.equations, *extra)))
+    return found
+
+
+def _inside(inner: Piece, outer: Piece) -> bool:
+    return any(lies_in(branch, outer) for branch in inner.branches)
+
+
+def _vanishes(polynomial: Polynomial, piece: Piece) -> bool:
+    """On all sheets of a piece, at their exact points."""
+    return all(
+        branch.points and not any(residue(polynomial, *at) for at in branch.points)
+        for branch in piece.branches
+    )
 
 
 def lies_in(branch: Branch, piece: Piece) -> bool:

@@ -8,13 +8,16 @@ References: [CoxLittleOShea] §9.1 (determinantal varieties), [LongCaroKhalil201
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.common_factors import without_common_factors
 from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.minors import minor_table
-from screwkit.algebra.points import rank_at, residue
+from screwkit.algebra.nowhere_zero import without_nowhere_zero
+from screwkit.algebra.points import rank_at
 from screwkit.algebra.search import Decomposition, Search
 from screwkit.algebra.trigonometric import Polynomial, content
 
@@ -72,7 +75,10 @@ def maximal_minors(
 
 
 def extensors(
-    branch: Branch, columns: Sequence[Column], rank: int, *, reduced: bool = True
+    branch: Branch,
+    columns: Sequence[Column],
+    rank: int,
+    library: FactorLibrary | None = None,
 ) -> list[dict[int, Polynomial]]:
     """Plücker coordinates of the span on a branch, one chart per choice of columns.
 
@@ -85,42 +91,31 @@ def extensors(
         branch: Where the columns are taken.
         columns: As in `rank_drop`.
         rank: Of them on the branch.
-        reduced: Divide each chart by the common factor of its coordinates; where that
-            vanishes the rank is less.
+        library: Divide each chart by the common factor of its coordinates, found with
+            these factors; where that vanishes the rank is less.
     """
     on_branch = [branch.column(column) for column in columns]
     table = minor_table(branch.ring, on_branch, len(columns[0]), rank)
     charts = [
         minors
         for chosen, minors in table.items()
-        if chosen.bit_count() == rank and minors and _is_somewhere(minors, branch)
+        if chosen.bit_count() == rank
+        and minors
+        and not branch.vanishes([*minors.values()])
     ]
+    nonzero = branch.divisors
     different: dict[str, dict[int, Polynomial]] = {}
     for minors in charts:
-        chart = _reduced(minors) if reduced else dict(minors)
-        if next(iter(chart.values())).coeffs()[0] < 0:
-            chart = {rows: -value for rows, value in chart.items()}
+        values = without_nowhere_zero(branch.ring, [*minors.values()], nonzero)
+        if library is not None:
+            values = [*without_common_factors(branch.ring, values, library)]
+        scale = content(values[0])
+        chart = {
+            rows: value / scale for rows, value in zip(minors, values, strict=True)
+        }
         different.setdefault(str(sorted(chart.items(), key=_by_rows)), chart)
     return sorted(different.values(), key=lambda c: sum(len(v) for v in c.values()))
 
 
-def _is_somewhere(chart: Mapping[int, Polynomial], branch: Branch) -> bool:
-    """Whether a chart is not zero at some exact point of the branch."""
-    if not branch.pending:
-        return True
-    return any(residue(x, *at) for at in branch.points for x in chart.values())
-
-
 def _by_rows(entry: tuple[int, Polynomial]) -> int:
     return entry[0]
-
-
-def _reduced(minors: dict[int, Polynomial]) -> dict[int, Polynomial]:
-    common = None
-    for value in minors.values():
-        common = value if common is None else common.gcd(value)
-        if common.is_constant():
-            break
-    divided = {rows: value / common for rows, value in minors.items()}
-    scale = content(next(iter(divided.values())))
-    return {rows: value / scale for rows, value in divided.items()}

@@ -26,13 +26,15 @@ from typing import TypeAlias
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.minors import combined, joined
-from screwkit.algebra.modular import echelon, independent
+from screwkit.algebra.modular import annihilator, echelon, independent
+from screwkit.algebra.modular import rank as residue_rank
 from screwkit.algebra.points import Point, rank_at, residue
 from screwkit.algebra.ring import Ring
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import loop_rows
 from screwkit.loci.rank_drop import Column, extensors
+from screwkit.loci.wrench_vectors import overlap_minors, spanning_wrenches
 
 Extensor: TypeAlias = Mapping[int, Polynomial]
 Units: TypeAlias = tuple[tuple[int, ...], ...]  # by limb: coordinates that are filled
@@ -42,6 +44,9 @@ TRIED = 24
 
 COSTLIEST = 10**13
 """Products of terms in the expansion of one minor."""
+
+CHEAP = 200
+"""Products of terms in a minor of wrenches, which tells more than a join does."""
 
 TOGETHER, MOST = 6, 24
 """Fillings of each chart, and minors in all, that are asked at once."""
@@ -196,24 +201,48 @@ def _telling(
             continue
         rank = rank_at(limb, point, prime)
         residues = [[residue(x, point, prime) for x in column] for column in limb]
-        own = extensors(branch, limb, rank, reduced=within)
+        own = extensors(branch, limb, rank, search.library if within else None)
         own.sort(key=lambda chart: not _is_there(chart, point, prime))
         if not own or not _is_there(own[0], point, prime):
             return None
         at_point.append(echelon(residues, prime))
         charts.append(list(own))
     columns = [column for limb in limbs for column in limb]
-    units = list(filling_units(at_point, len(columns[0]), prime))
+    height = len(columns[0])
+    units = list(filling_units(at_point, height, prime))
     first = [own[0] for own in charts]
     units.sort(key=lambda one: (cost(first, one), one))
+    if within and _overlap(at_point, height, prime):
+        vectors = [
+            vector
+            for own, twists in zip(charts, at_point, strict=True)
+            for vector in spanning_wrenches(branch, own[0], height, len(twists))
+        ]
+        dearest = max(CHEAP, min(cost(first, one) for one in units))
+        minors = overlap_minors(branch, vectors, (point, prime), dearest, LONGEST)
+        if minors:
+            return minors
     polynomials: list[Polynomial] = []
     for chosen, one in islice(product(product(*charts), units[:TOGETHER]), MOST):
         if cost(chosen, one) > COSTLIEST:
             continue
-        polynomials += sum_minors(branch.ring, chosen, one, len(columns[0]))
+        polynomials += sum_minors(branch.ring, chosen, one, height)
         if sum(map(len, polynomials)) > LONGEST:
             break
     return polynomials or None
+
+
+def _overlap(limbs: Sequence[Sequence[Sequence[int]]], height: int, prime: int) -> bool:
+    """Whether the wrench systems of limbs share wrenches, at a point."""
+    systems = [
+        annihilator(limb, height, prime) if limb else _units(height) for limb in limbs
+    ]
+    together = [wrench for system in systems for wrench in system]
+    return residue_rank(together, prime) < len(together)
+
+
+def _units(height: int) -> list[list[int]]:
+    return [[int(i == k) for i in range(height)] for k in range(height)]
 
 
 def _is_there(chart: Extensor, point: Point, prime: int) -> bool:

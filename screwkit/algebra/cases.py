@@ -1,0 +1,141 @@
+"""Which case distinction comes next: the factors on one of which every zero lies.
+
+Every polynomial is factored; the one that leaves the fewest and shortest cases is
+chosen.  What two conditions imply together may leave simpler ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+
+from screwkit.algebra.branches import Branch, is_solvable
+from screwkit.algebra.factors import Factor, FactorLibrary, factor
+from screwkit.algebra.implied import LONGEST, eliminants, resolvents
+from screwkit.algebra.real_zeros import vanishing_together
+from screwkit.algebra.trigonometric import Polynomial
+
+_TRIED = 10  # polynomials that are factored to choose the next case split
+
+
+def shortest_choice(
+    branch: Branch,
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    library: FactorLibrary,
+    largest: int,
+) -> list[Factor] | None:
+    """The irreducible factors of the polynomial that leaves the fewest, shortest cases.
+
+    An empty list where some polynomial has no zero on the branch; None where all are
+    too long to be factored.
+    """
+    excluded = _factor_keys(branch, nonzero, library, largest)
+    best: list[Factor] | None = None
+    for polynomial in _with_resolvents(branch, polynomials)[:_TRIED]:
+        if len(polynomial) > largest:
+            break
+        cases = possible_factors(branch, polynomial, library)
+        cases = [f for f in cases if f.key not in excluded]
+        if not cases:
+            return []
+        if best is None or _cost(branch, cases) < _cost(branch, best):
+            best = cases
+        if _cost(branch, best) <= (0, 2):
+            break
+    if best is None:
+        return None
+    return sorted(best, key=lambda f: (len(f.equations), len(f.equations[0])))
+
+
+def _cost(branch: Branch, cases: Sequence[Factor]) -> tuple[int, int]:
+    """Conditions that cannot be solved are dear, many simple ones are cheap."""
+    return (
+        sum(
+            len(f.equations[0])
+            for f in cases
+            if len(f.equations) == 1 and not is_solvable(branch, f.equations[0])
+        ),
+        len(cases),
+    )
+
+
+def _with_resolvents(branch: Branch, left: Sequence[Polynomial]) -> list[Polynomial]:
+    """The polynomials and what two of them imply together."""
+    if branch.pending:
+        return list(left)
+    known = {str(p) for p in left}
+    fresh = [p for p in resolvents(branch.ring, left) if str(p) not in known]
+    return sorted([*left, *fresh], key=len)
+
+
+def _factor_keys(
+    branch: Branch,
+    polynomials: Sequence[Polynomial],
+    library: FactorLibrary,
+    largest: int,
+) -> set[str]:
+    keys: set[str] = set()
+    for polynomial in polynomials:
+        if len(polynomial) <= largest:
+            keys |= {f.key for f in possible_factors(branch, polynomial, library)}
+    return keys
+
+
+def terms_of(branch: Branch, case: Factor) -> list[Polynomial] | None:
+    """What vanishes wherever a factor does, if that is a sum of squares."""
+    if len(case.equations) > 1:
+        return None
+    return vanishing_together(branch.ring, branch.assumptions, case.equations[0])
+
+
+def implied_cases(
+    branch: Branch, library: FactorLibrary, largest: int
+) -> list[Factor] | None:
+    """Solvable factors of something that two pending conditions imply."""
+    for one, two in combinations([p.value for p in branch.pending], 2):
+        if max(len(one), len(two)) > LONGEST:
+            continue
+        for polynomial in eliminants(branch.ring, one, two):
+            if len(polynomial) > largest:
+                break
+            cases = possible_factors(branch, polynomial, library)
+            if all(_is_simple(branch, case) for case in cases):
+                return cases
+    return None
+
+
+def _is_simple(branch: Branch, case: Factor) -> bool:
+    if len(case.equations) > 1:
+        return False
+    return is_solvable(branch, case.equations[0]) or terms_of(branch, case) is not None
+
+
+def possible_factors(
+    branch: Branch, polynomial: Polynomial, library: FactorLibrary
+) -> list[Factor]:
+    """The irreducible factors that can vanish under the branch's assumptions.
+
+    A square root vanishes where its radicand does, whose factors stand for it.
+    """
+    factored = factor(branch.ring, polynomial, library)
+    found: dict[str, Factor] = {}
+    for part, _ in factored.factors:
+        radicand = _radicand(branch, part.equations[0])
+        if radicand is not None:
+            inside = branch.value(branch.ring.without_divisors([radicand])[0])
+            if inside != 0:
+                found |= {f.key: f for f in possible_factors(branch, inside, library)}
+                continue
+        if not branch.assumptions.is_nonzero(branch.ring, part.equations[0]):
+            found[part.key] = part
+    return list(found.values())
+
+
+def _radicand(branch: Branch, polynomial: Polynomial) -> Polynomial | None:
+    """The square of a symbolic root; None of what is no such root."""
+    ring = branch.ring
+    for name, inside in ring.radicands.items():
+        if polynomial == ring.generator(name):
+            return inside
+    return None

@@ -1,0 +1,79 @@
+"""Polynomials freed from factors that vanish nowhere: shorter, with the same zeros.
+
+The squared lengths of axes divide most minors of a parallel robot, and what a step of a
+branch was divided by divides what comes after it.  Taken out, they leave polynomials
+that are short enough to be factored.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.division import Divisor
+from screwkit.algebra.half_angle import HalfAngles
+from screwkit.algebra.points import residue
+from screwkit.algebra.restrictions import Layout
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+
+FACTORED = 40
+"""Terms of a polynomial up to which factoring finds such factors just as soon."""
+
+
+def without_nowhere_zero(
+    ring: TrigonometricRing,
+    vector: Sequence[Polynomial],
+    nonvanishing: Sequence[Polynomial],
+) -> list[Polynomial]:
+    """A projective vector divided by what divides all its entries and has no zero.
+
+    Args:
+        ring: Of the entries, in normal form.
+        vector: Not all zero, or empty.
+        nonvanishing: Polynomials without a zero where the vector is looked at.
+    """
+    entries = list(vector)
+    longest = max(map(len, entries), default=0)
+    if longest <= FACTORED or not nonvanishing:
+        return entries
+    layout = Layout.of(ring)
+    halves = HalfAngles(ring, layout)
+    order = sorted(range(len(entries)), key=lambda i: len(entries[i]))
+    order = [i for i in order if entries[i] != 0]
+    for polynomial in sorted(nonvanishing, key=len, reverse=True):
+        if polynomial.is_constant():
+            continue
+        divisor = Divisor(polynomial, ring, halves, layout)
+        while True:
+            quotients: dict[int, Polynomial] = {}
+            for i in order:
+                quotient = divisor.divide(entries[i])
+                if quotient is None:
+                    break
+                quotients[i] = ring.normal(quotient)
+            if len(quotients) < len(order):
+                break
+            entries = [quotients.get(i, value) for i, value in enumerate(entries)]
+    return entries
+
+
+def loses_a_direction(branch: Branch) -> bool:
+    """Whether a vector that is zero nowhere would be zero on all of a branch.
+
+    Proved: a pending condition divides each of its coordinates.
+    """
+    if not branch.pending:
+        return False
+    ring = branch.ring
+    layout = Layout.of(ring)
+    halves = HalfAngles(ring, layout)
+    divisors = [Divisor(p.value, ring, halves, layout) for p in branch.pending]
+    for vector in branch.directions:
+        if any(residue(x, *point) for x in vector for point in branch.points):
+            continue
+        if all(
+            x == 0 or any(divisor.divide(x) is not None for divisor in divisors)
+            for x in branch.column(vector)
+        ):
+            return True
+    return False

@@ -1,0 +1,102 @@
+"""Real zeros of sums of squares, and of 1 − cos p·cos q: smaller than they look.
+
+A polynomial whose terms all have one sign is zero only where all of them are.  Which
+terms a trigonometric polynomial has depends on how 1 = s² + c² is used, so it is made
+homogeneous in the angles too.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+
+TERMS = 40
+"""Of a polynomial that is looked at."""
+
+
+def vanishing_together(
+    ring: TrigonometricRing, assumptions: Assumptions, polynomial: Polynomial
+) -> list[Polynomial] | None:
+    """What vanishes at every real zero of a polynomial that keeps its sign.
+
+    Of a sum of terms of one sign that is every term; each is a product of different
+    generators, and 1 is among them where there is no zero.
+
+    Args:
+        ring: Of the polynomial.
+        assumptions: Signs of the symbols.
+        polynomial: In normal form, not zero.
+
+    Returns:
+        None where the polynomial has one term, or was not found to keep its sign.
+    """
+    if not 1 < len(polynomial) <= TERMS:
+        return None
+    for written in (polynomial, _homogeneous(ring, polynomial)):
+        if len(written) > 1 and assumptions.has_one_sign(ring, written):
+            return [_radical(ring, m) for m in _monomials(ring, written)]
+    return _extremal(ring, polynomial)
+
+
+def _extremal(
+    ring: TrigonometricRing, polynomial: Polynomial
+) -> list[Polynomial] | None:
+    """Of a number and products of sines and cosines that must all be ±1 to cancel it.
+
+    Where a sine is ±1 its cosine is 0.
+    """
+    terms = {tuple(map(int, e)): c for e, c in polynomial.to_dict().items()}
+    number = abs(terms.pop((0,) * len(ring.names), 0))
+    if not number or number != sum(map(abs, terms.values())):
+        return None
+    partner: dict[int, int] = {}
+    for angle in range(len(ring.basis)):
+        sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)
+        partner |= {sine: cosine, cosine: sine}
+    occurring = {i for monomial in terms for i, e in enumerate(monomial) if e}
+    if not occurring <= set(partner):
+        return None
+    gens = ring.context.gens()
+    return [gens[partner[i]] for i in sorted(occurring)]
+
+
+def _homogeneous(ring: TrigonometricRing, polynomial: Polynomial) -> Polynomial:
+    """Made homogeneous in each angle by s² + c² = 1, where all degrees are even or odd.
+
+    So 1 − c² becomes s².
+    """
+    gens = ring.context.gens()
+    for angle in range(len(ring.basis)):
+        sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)
+        parts: dict[int, dict[tuple[int, ...], Any]] = {}
+        for exponents, coefficient in polynomial.to_dict().items():
+            degree = int(exponents[sine]) + int(exponents[cosine])
+            parts.setdefault(degree, {})[exponents] = coefficient
+        whole = max(parts)
+        if any((whole - degree) % 2 for degree in parts):
+            continue
+        unit = gens[sine] ** 2 + gens[cosine] ** 2
+        polynomial = sum(
+            (
+                ring.context.from_dict(part) * unit ** ((whole - degree) // 2)
+                for degree, part in parts.items()
+            ),
+            ring.zero,
+        )
+    return polynomial
+
+
+def _monomials(ring: TrigonometricRing, polynomial: Polynomial) -> set[tuple[int, ...]]:
+    """Of the terms, without algebraic numbers, which are not zero."""
+    first = len(ring.names) - len(ring.constant_generators)
+    return {tuple(map(int, e[:first])) for e in polynomial.monoms()}
+
+
+def _radical(ring: TrigonometricRing, monomial: tuple[int, ...]) -> Polynomial:
+    total = ring.one
+    for generator, exponent in zip(ring.context.gens(), monomial, strict=False):
+        if exponent:
+            total = total * generator
+    return total

@@ -1,0 +1,140 @@
+"""What decides a case: eliminated unknowns, sums of squares, what is zero nowhere."""
+
+from __future__ import annotations
+
+import pytest
+
+from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.factors import FactorLibrary
+from screwkit.algebra.implied import eliminants
+from screwkit.algebra.nowhere_zero import without_nowhere_zero
+from screwkit.algebra.parse import parse
+from screwkit.algebra.points import residue
+from screwkit.algebra.real_zeros import vanishing_together
+from screwkit.algebra.search import Decomposition, Search
+from screwkit.algebra.survey import SurveyRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+
+POSITIVE = Assumptions(frozenset({"a", "b"}))
+
+
+def polynomials(*texts: str) -> tuple[TrigonometricRing, list[Polynomial]]:
+    seen = SurveyRing()
+    for text in texts:
+        evaluate(parse(text), seen)
+    ring = TrigonometricRing(seen)
+    return ring, [ring.normal(evaluate(parse(text), ring)) for text in texts]
+
+
+def zeros(*texts: str) -> tuple[TrigonometricRing, Decomposition]:
+    ring, conditions = polynomials(*texts)
+    search = Search(FactorLibrary(ring))
+    return ring, common_zeros(Branch(ring, POSITIVE), conditions, search)
+
+
+@pytest.mark.parametrize(
+    ("one", "two", "without", "implied"),
+    [
+        # x = 1 or 2 in the first, x = y in the second.
+        ("x^2 - 3*x + 2", "x - y", "x", "(y - 1)*(y - 2)"),
+        # On both, sin q = x and cos q = y.
+        ("sin(q) - x", "cos(q) - y", "q", "x^2 + y^2 - 1"),
+        # Both are homogeneous in sin q and cos q: their determinant vanishes.
+        ("x*sin(q) + cos(q)", "sin(q) - y*cos(q)", "q", "x*y + 1"),
+    ],
+)
+def test_two_conditions_imply_one_without_an_unknown(
+    one: str, two: str, without: str, implied: str
+) -> None:
+    ring, (first, second, wanted) = polynomials(one, two, implied)
+    found = [e for e in eliminants(ring, first, second) if e in (wanted, -wanted)]
+    assert found, without
+
+
+def test_pending_conditions_are_solved_together() -> None:
+    """√3 (u² − v²) − 6 u v = √3 on the unit circle: v = 0 or v = −√3 u, four points."""
+    _, found = zeros("u^2 + v^2 - 1", "sqrt(3)*u^2 - 6*u*v - sqrt(3)*v^2 - sqrt(3)")
+    assert found.complete
+    points = set()
+    for branch in found.branches:
+        assert branch.codimension == 2
+        for point, prime in branch.points:
+            root = next(r for r in point if r * r % prime == 3)
+            u, v = (point[i] for i in branch.ring.symbol_indices())
+            assert (u * u + v * v - 1) % prime == 0
+            points.add(v == 0 or (v * root + 3 * u) % prime == 0)
+    assert len(found.branches) == 4
+    assert points == {True}
+
+
+@pytest.mark.parametrize(
+    ("text", "terms"),
+    [
+        ("a*x^2 + b*y^2", {"x", "y"}),
+        # sin² p + cos² p cos² q, in normal form 1 − cos² p sin² q, with 1 = s² + c².
+        (
+            "sin(p)^2 + cos(p)^2*cos(q)^2",
+            {"sin(p)*sin(q)", "sin(p)*cos(q)", "cos(p)*cos(q)"},
+        ),
+        ("cos(p)*cos(q) - 1", {"sin(p)", "sin(q)"}),
+        ("x^2 + sqrt(3)*y^4 + 1", {"x", "y", "1"}),
+    ],
+)
+def test_in_a_sum_of_squares_every_term_vanishes(text: str, terms: set[str]) -> None:
+    ring, (polynomial, *others) = polynomials(text, *sorted(terms))
+    found = vanishing_together(ring, POSITIVE, polynomial)
+    assert found is not None
+    # The lengths a and b are not zero and may stay.
+    positive = [ring.symbol(n) for n in ring.symbols if n in POSITIVE.positive]
+    allowed = [{str(o * f) for f in (ring.one, *positive)} for o in others]
+    assert len(found) == len(others)
+    assert all(any(str(term) in own for term in found) for own in allowed)
+
+
+@pytest.mark.parametrize("text", ["x^2 - y^2", "sin(p)^2 - cos(q)^2", "x*y + x^2"])
+def test_what_may_have_other_zeros_is_no_sum_of_squares(text: str) -> None:
+    ring, (polynomial,) = polynomials(text)
+    assert vanishing_together(ring, POSITIVE, polynomial) is None
+
+
+@pytest.mark.parametrize(
+    "text", ["sin(p)^2 + cos(p)^2*cos(q)^2", "cos(p)*sin(q) - 1", "x^2 + a*y^2"]
+)
+def test_a_sum_of_squares_is_a_locus_of_codimension_two(text: str) -> None:
+    _, found = zeros(text)
+    _, (polynomial,) = polynomials(text)
+    assert found.complete
+    assert found.branches
+    for branch in found.branches:
+        assert not any(residue(polynomial, *at) for at in branch.points)
+    assert all(branch.codimension == 2 for branch in found.branches)
+
+
+def test_a_root_vanishes_where_its_radicand_does() -> None:
+    """√(x² − y²) = 0 on the two lines y = ±x."""
+    _, found = zeros("sqrt(x^2 - y^2)*(a + 1)")
+    assert found.complete
+    assert {str(b.conditions[0].to_dict()) for b in found.branches}
+    for branch in found.branches:
+        assert branch.codimension == 1
+        for point, prime in branch.points:
+            x, y = (
+                point[branch.ring.names.index(f"x{branch.ring.symbols.index(n)}")]
+                for n in ("x", "y")
+            )
+            assert (x * x - y * y) % prime == 0
+    assert len(found.branches) == 2
+
+
+def test_what_is_zero_nowhere_is_divided_out() -> None:
+    """Also where √3 and s² = 1 − c² hide the factor."""
+    square = "(x - sqrt(3)*y*cos(q))^2 + (1 + y*sin(q))^2 + sin(p)^2"
+    rest = "(x*sin(q) + sqrt(3)*y - cos(p))*(y^2 + 3*x*cos(p) - 2)"
+    ring, (product, divisor, plain) = polynomials(f"({square})*({rest})", square, rest)
+    (found,) = without_nowhere_zero(ring, [product], [divisor])
+    assert found in (plain, -plain)
+    (kept,) = without_nowhere_zero(ring, [plain * plain], [divisor])
+    assert kept == plain * plain
