@@ -23,7 +23,7 @@ from screwkit.kinematics.placement import why_tied
 from screwkit.kinematics.values import declared_values, with_values
 from screwkit.mechanism.graph import independent_loops
 from screwkit.mechanism.model import Mechanism
-from screwkit.metrics.joint_space import JointSpace, joint_space
+from screwkit.metrics.joint_space import JointSpace, joint_space, pose_origin
 from screwkit.metrics.motion_chart import MotionChart, motion_chart
 from screwkit.metrics.singular_distance import chart_search, joint_search
 from screwkit.metrics.symbol_motion import symbol_motion
@@ -191,7 +191,10 @@ def _joints(asked: Asked, chart: MotionChart | None) -> JointSpace:
     """The coordinates of all joints, measured as the chart is where that is a pose."""
     model = _model(asked)
     if chart is None:
-        return joint_space(model, asked.length)
+        values = declared_values(asked.mechanism)
+        numbers = with_values(asked.mechanism, values)
+        origin = None if asked.moved else pose_origin(numbers, model)
+        return joint_space(model, asked.length, origin)
     posed = chart.posed == frozenset(chart.names)
     return joint_space(model, chart.length, chart.origin if posed else None)
 
@@ -221,6 +224,7 @@ def _of_symbols(asked: Asked, chart: MotionChart) -> DistanceMeasure:
     lengths = tuple(name for name in plain if name not in chart.angles)
     counts = lengths or chart.shifted
     return DistanceMeasure(
+        platform=bool(chart.posed),
         angles=tuple(name for name in plain if name in chart.angles),
         lengths=lengths,
         pose=tuple(name for name in chart.names if name in chart.posed),
@@ -233,11 +237,12 @@ def _of_symbols(asked: Asked, chart: MotionChart) -> DistanceMeasure:
 def _of_freedoms(
     asked: Asked, space: JointSpace, chart: MotionChart | None
 ) -> DistanceMeasure:
-    by_pose = space.platform is not None and chart is not None
+    by_pose = space.platform is not None
     turning = space.turning
     labels: Sequence[str] = () if by_pose else space.model.labels
     lengths = tuple(label for label in labels if label not in turning)
     return DistanceMeasure(
+        platform=by_pose,
         angles=tuple(label for label in labels if label in turning),
         lengths=lengths,
         pose=chart.names if by_pose and chart is not None else (),

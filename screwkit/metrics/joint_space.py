@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from screwkit.algebra.batch import Array
+from screwkit.algebra.evaluation import evaluate
 from screwkit.finite.exponentials import (
     Stance,
     at_stance,
@@ -23,7 +24,10 @@ from screwkit.finite.exponentials import (
     stance_of,
 )
 from screwkit.finite.posture_model import PostureModel, characteristic_length, scaled
+from screwkit.finite.posture_numbers import numbers_at
 from screwkit.finite.spanning_forest import Forest, forest_of
+from screwkit.kinematics.loops import ring_at
+from screwkit.mechanism.model import Mechanism
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,6 +97,23 @@ def _turned(screws: Array, angles: Array) -> Array:
     for screw, angle in zip(screws[:3], angles.T, strict=True):
         turn = turn @ exponential(np.broadcast_to(screw, (len(angle), 6)), angle)
     return rotation_vectors(turn[..., :3, :3])
+
+
+def pose_origin(mechanism: Mechanism, model: PostureModel) -> Array | None:
+    """The platform's origin where its pose says how the whole mechanism stands.
+
+    Args:
+        mechanism: All its symbols with values.
+        model: At the posture of the file.
+
+    Returns:
+        None where there is no pose, or more moves than the platform.
+    """
+    known = numbers_at(model)
+    if mechanism.pose is None or known.mobility != known.twist_dimension:
+        return None
+    ring = ring_at(mechanism, {})
+    return np.array([float(evaluate(x, ring)) for x in mechanism.pose.translation])
 
 
 def joint_space(

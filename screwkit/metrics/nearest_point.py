@@ -4,7 +4,7 @@ Newton's method on the Lagrange conditions.  Steps are split by singular values 
 the part that mends the equations and the part along them, so that equations may depend
 on each other; derivatives are central differences of whole batches.
 
-References: [NocedalWright2006] §18.1, §18.3.
+References: [NocedalWright2006] §18.1.
 """
 
 from __future__ import annotations

@@ -28,8 +28,13 @@ STARTS: Final = 16
 CLOSER: Final = 4
 """Starts in a second round, nearer than what the first has found."""
 
-FARTHEST: Final = 3.0
-"""How far from the posture starts lie, in radians and lengths over the length."""
+NEAREST: Final = 0.2
+FARTHEST: Final = 5.0
+"""How far from the posture starts lie, in radians and lengths over the length, along
+the coordinates of the search; joints have many."""
+
+LONG_STRIDE: Final = 0.4
+"""Largest step on the way to a start."""
 
 STRIDE: Final = 0.1
 """Largest step on the way to a posture."""
@@ -79,15 +84,32 @@ def starts_of(space: Space, count: int = STARTS) -> list[Array]:
     """The posture itself and postures on the motion around it."""
     random = np.random.default_rng(1)
     found = [space.start]
-    n = len(space.start)
-    reach = np.geomspace(0.1, FARTHEST, count - 1)
-    for radius in reach:
-        way = random.normal(size=n)
-        point = space.start + radius * way / np.linalg.norm(way)
-        moved = restored(space.kept, point) if space.tied else point
-        if moved is not None:
-            found.append(moved)
+    for radius in np.geomspace(NEAREST, FARTHEST, count - 1):
+        way = random.normal(size=len(space.start))
+        if space.tied:
+            found.append(_walked(space, way, float(radius)))
+        else:
+            found.append(space.start + radius * way / np.linalg.norm(way))
     return found
+
+
+def _walked(space: Space, way: Array, length: float) -> Array:
+    """Where steps on the motion lead that keep to a direction as far as they can."""
+    point, left = space.start, length
+    while left > 0:
+        along = split_of(slopes(space.kept, point[None])[0])[1]
+        heading = along @ (along.T @ way)
+        size = float(np.linalg.norm(heading))
+        if size < 1e-9:
+            break
+        stride = min(left, LONG_STRIDE)
+        moved = restored(space.kept, point + stride / size * heading, 12)
+        if moved is None:
+            break
+        # The motion may bend: the heading is carried along, not the first direction.
+        way, point = way - heading + (moved - point) * (size / stride), moved
+        left -= stride
+    return point
 
 
 def nearest(

@@ -4,7 +4,7 @@ A matrix is bordered with the singular vectors that its rank leaves out, and one
 more.  Where the bordered matrix can be inverted, the block of the inverse that faces
 the border vanishes exactly where the rank has fallen.
 
-References: [Govaerts2000] §3.2 (bordered matrices), [LongCaroKhalil2012] §5.
+References: [Govaerts2000] ch. 3 (bordered matrices), [LongCaroKhalil2012] §5.
 """
 
 from __future__ import annotations

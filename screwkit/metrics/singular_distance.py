@@ -27,7 +27,7 @@ from screwkit.metrics.nearest_search import (
 )
 from screwkit.metrics.rank_conditions import ScrewField, fallen, rank_at
 
-FEWER = 6
+FEWER = 9
 """Starts where matrices of many freedoms are bordered at every step."""
 
 BESIDE = 4

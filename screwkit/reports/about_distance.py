@@ -52,12 +52,12 @@ def distance_blocks(answer: Distance) -> tuple[Block, ...]:
             blocks.append(Table(_COLUMNS, tuple(_rows(answer, entries))))
     if answer.posture:
         blocks.append(Paragraph(words(f"from {_values(answer)}"), 1))
-    for measure, names in (
-        (answer.measure, answer.variables),
-        (answer.by_freedoms, answer.freedoms),
-    ):
-        if measure is not None:
-            blocks.append(Paragraph(words(_measured(measure, answer, names)), 1))
+    measures = dict.fromkeys((answer.measure, answer.by_freedoms))
+    blocks += [
+        Paragraph(words(_measured(measure, answer)), 1)
+        for measure in measures
+        if measure is not None
+    ]
     blocks += [Paragraph(prose(text), 1) for text in _notes(answer)]
     return tuple(blocks)
 
@@ -194,17 +194,13 @@ def _list(names: Sequence[str]) -> str:
     return f"{names[0]}, {names[1]}, …, {names[-1]}"
 
 
-def _measured(measure: DistanceMeasure, answer: Distance, names: Sequence[str]) -> str:
+def _measured(measure: DistanceMeasure, answer: Distance) -> str:
     """What is squared and summed, and in which units."""
     parts = []
     platform = platform_called(answer.platform_name)
-    if measure.pose:
+    if measure.platform:
         shift = ", the shift of its origin over L" if measure.length else ""
         parts.append(f"the angle of {platform}'s rotation in radians{shift}")
-        if tuple(measure.pose) != tuple(names) and not (
-            measure.angles or measure.lengths
-        ):
-            names = measure.pose
     if measure.angles:
         parts.append(f"the changes of {_list(measure.angles)} in radians")
     if measure.lengths:

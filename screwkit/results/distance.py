@@ -13,15 +13,17 @@ class DistanceMeasure:
     """What a distance is: the root of a sum of squares.
 
     Attributes:
+        platform: Whether the pose of the platform is measured: the angle of one
+            rotation, and the shift of its origin over ``length``.
         angles: Symbols or freedoms whose change in radians is squared.
         lengths: Those whose change is first divided by ``length``.
-        pose: Symbols that are measured by the pose of the platform that they give: the
-            angle of one rotation, and the shift of its origin over ``length``.
+        pose: Symbols that are measured by the pose that they give.
         length: That counts as one radian, in file lengths; None where no length occurs.
         given: Whether the length was given, not chosen.
         unit: Of lengths in the file.
     """
 
+    platform: bool
     angles: tuple[str, ...]
     lengths: tuple[str, ...]
     pose: tuple[str, ...]

@@ -169,13 +169,14 @@ screwkit: 1
 name: bar
 geometry: {geometry}
 base: base
-platform: coupler
-links: [base, crank, coupler, rocker]
+platform: link
+links: [base, crank, link, rocker]
+vectors: {{k: [0, 0, 1]}}
 joints:
-  - {{name: A, type: revolute, parent: base, child: crank, point: [0, 0, 0], axis: [0, 0, 1]}}
-  - {{name: B, type: revolute, parent: crank, child: coupler, point: [1, 2, 0], axis: [0, 0, 1]}}
-  - {{name: C, type: revolute, parent: coupler, child: rocker, point: [5, 3, 0], axis: [0, 0, 1]}}
-  - {{name: D, type: revolute, parent: rocker, child: base, point: [6, 0, 0], axis: [0, 0, 1]}}
+  - {{name: A, type: revolute, parent: base, child: crank, point: [0, 0, 0], axis: k}}
+  - {{name: B, type: revolute, parent: crank, child: link, point: [1, 2, 0], axis: k}}
+  - {{name: C, type: revolute, parent: link, child: rocker, point: [5, 3, 0], axis: k}}
+  - {{name: D, type: revolute, parent: rocker, child: base, point: [6, 0, 0], axis: k}}
 actuated: [A]
 """
     answer = sk.distance(load_text(text))
@@ -259,7 +260,7 @@ def test_a_planar_platform_against_a_dense_grid() -> None:
 
 
 def test_what_lies_beside_the_symbols_is_found_by_ranks() -> None:
-    """With phi a number the file describes two of three freedoms; the third is there."""
+    """With phi a number the file describes two of three freedoms; all are there."""
     whole = sk.distance(sk.load("3rpr_planar"), length="2")
     held = sk.load("3rpr_planar", set_values={"phi": "atan(3/4)"})
     answer = sk.distance(held, length="2")
@@ -330,9 +331,10 @@ base: base
 platform: tool
 links: [base, arm, tool]
 variables: {x: {}}
+vectors: {k: [0, 0, 1]}
 joints:
-  - {name: A, type: revolute, parent: base, child: arm, point: [0, 0, 0], axis: [0, 0, 1]}
-  - {name: B, type: revolute, parent: arm, child: tool, point: [x, 1, 0], axis: [0, 0, 1]}
+  - {name: A, type: revolute, parent: base, child: arm, point: [0, 0, 0], axis: k}
+  - {name: B, type: revolute, parent: arm, child: tool, point: [x, 1, 0], axis: k}
 """
     with pytest.raises(UndecidedError, match="x has no value: --set x="):
         sk.distance(load_text(text))
