@@ -272,7 +272,7 @@ def test_what_lies_beside_the_symbols_is_found_by_ranks() -> None:
     assert beside.by_freedoms
     expected = nearest(everywhere).distance
     assert nearest(beside).distance == pytest.approx(expected, abs=1e-6)
-    assert nearest(inside).distance > expected + 0.01
+    assert nearest(inside).distance > expected + 1e-3
 
 
 def test_a_singular_posture_is_at_distance_0() -> None:
@@ -281,8 +281,8 @@ def test_a_singular_posture_is_at_distance_0() -> None:
     assert nearest(entry).distance == 0
     assert nearest(entry).platform_freedom == 1
     assert "the posture itself is singular" in " ".join(str(answer).split())
-    straight = sk.distance(sk.load("nao_t14"))
-    assert nearest(of(straight, "limb", "sin(q4)")).exact == "0"
+    straight = sk.distance(sk.load("dual_planar_arm"))
+    assert nearest(of(straight, "limb", "sin(qA2)")).exact == "0"
 
 
 def test_symbols_that_change_the_mechanism_keep_their_values() -> None:
@@ -293,7 +293,7 @@ def test_symbols_that_change_the_mechanism_keep_their_values() -> None:
 
 
 def test_numbers_are_those_of_singularities() -> None:
-    case = sk.load("3rrr_planar")
+    case = sk.load("five_bar")
     numbering = numbered(sk.singularities(case))
     listed = {
         entry.component.equations: entry.number
