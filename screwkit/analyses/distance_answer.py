@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from screwkit.algebra.closed_values import closed_value
 from screwkit.algebra.expression import Expression
 from screwkit.algebra.expression_building import substitute
+from screwkit.algebra.names import limb_called
 from screwkit.analyses.distance import (
     Kind,
     Posture,
@@ -128,16 +129,29 @@ def distance(
         found += [by_rank(search, kind) for kind in kinds]
     space: JointSpace | None = None
     if not moving.whole:
-        space = _joints(asked, chart)
+        model, begun = _model(asked)
+        space = _joints(asked, chart, model)
+        if begun:
+            said = ", ".join(f"{name} = {value:.6g}" for name, value in begun.items())
+            remarks.append(f"distances begin at {said}")
         search = joint_search(space)
         for kind in kinds:
             progress(f"distance, {kind.limb or kind.kind}", "by ranks, in all joints")
             found.append(by_rank(search, kind, by_freedoms=True))
     if mechanism.actuated and not any(kind.kind == "actuation" for kind in kinds):
         remarks.append("the declared actuators hold the platform at no posture")
+    if chart is not None and chart.bodies is not None:
+        remarks.append("every body keeps the shape that it has at the posture")
+    if chart is not None and loci is not None:
+        lacking = [_called(k) for k in kinds if not k.complete]
+        if lacking:
+            remarks.append(
+                f"lists not proved to be complete: {', '.join(lacking)}; there ranks "
+                f"were searched as well"
+            )
     never = [k for k in kinds if k.complete and not k.components and moving.whole]
     if chart is not None and never:
-        said = ", ".join(f"limb {k.limb}" if k.limb else k.kind for k in never)
+        said = ", ".join(map(_called, never))
         remarks.append(f"never singular, proved: {said}")
     return Distance(
         case=mechanism.name,
@@ -151,6 +165,10 @@ def distance(
         singularities=tuple(found),
         remarks=tuple(remarks),
     )
+
+
+def _called(kind: Kind) -> str:
+    return limb_called(kind.limb) if kind.limb else kind.kind
 
 
 def _need_values(mechanism: Mechanism) -> None:
@@ -187,9 +205,8 @@ def _number(value: Expression, mechanism: Mechanism) -> float:
     return found
 
 
-def _joints(asked: Asked, chart: MotionChart | None) -> JointSpace:
+def _joints(asked: Asked, chart: MotionChart | None, model: PostureModel) -> JointSpace:
     """The coordinates of all joints, measured as the chart is where that is a pose."""
-    model = _model(asked)
     if chart is None:
         values = declared_values(asked.mechanism)
         numbers = with_values(asked.mechanism, values)
@@ -199,24 +216,26 @@ def _joints(asked: Asked, chart: MotionChart | None) -> JointSpace:
     return joint_space(model, chart.length, chart.origin if posed else None)
 
 
-def _model(asked: Asked) -> PostureModel:
-    """The mechanism at the posture.
+def _model(asked: Asked) -> tuple[PostureModel, Mapping[str, float]]:
+    """The mechanism at the posture, and its joint variables where loops tie them.
+
+    They are left out at the posture of a file that needs no search.
 
     Raises:
         UndecidedError: If it is not reached.
     """
     values = declared_values(asked.mechanism)
     numbers = with_values(asked.mechanism, values)
-    start = None
+    start: Mapping[str, float] = {}
     if numbers.geometry == "mdh" and why_tied(numbers):
         start = closed_posture(numbers).values
     if not asked.moved:
-        return departure(numbers, start)[0]
+        return departure(numbers, start)[0], start
     wanted = {name: substitute(value, values) for name, value in asked.moved.items()}
-    there = arrival_at(numbers, wanted, start)
+    there = arrival_at(numbers, wanted, start or None)
     if there.reason:
         raise UndecidedError(f"the posture asked for was not reached: {there.reason}")
-    return there.found.model
+    return there.found.model, there.values
 
 
 def _of_symbols(asked: Asked, chart: MotionChart) -> DistanceMeasure:

@@ -40,8 +40,8 @@ class MotionChart:
     Attributes:
         mechanism: Whose dimensions have their numbers.
         names: The symbols that move it.
-        start: Their values where distances begin, shape (n,): angles, and lengths over
-            ``length``.
+        start_values: Their values where distances begin, in radians and file lengths.
+        start: The same as a point, shape (n,): angles, and lengths over ``length``.
         units: What a coordinate is multiplied with to be a value of the file.
         angles: Which symbols are angles.
         posed: Those that enter the pose of the platform; measured by the pose.
@@ -53,6 +53,7 @@ class MotionChart:
 
     mechanism: Mechanism
     names: tuple[str, ...]
+    start_values: tuple[float, ...]
     start: Array
     units: Array
     angles: frozenset[str]
@@ -66,11 +67,6 @@ class MotionChart:
         return {
             name: points[..., i] * self.units[i] for i, name in enumerate(self.names)
         }
-
-    @property
-    def start_values(self) -> tuple[float, ...]:
-        """The symbols where distances begin, in radians and file lengths."""
-        return tuple(float(x) for x in self.start * self.units)
 
     @property
     def shifted(self) -> bool:
@@ -168,11 +164,12 @@ def motion_chart(
     pure = frozenset(names) & turns
     units = [1.0 if n in angles or n in pure else sample.length for n in names]
     started = ring_at(numbers, {n: values.get(n, 0.0) for n in _unset(numbers, values)})
-    start = np.array([float(started.values[n]) for n in names]) / np.array(units)
+    begun = tuple(float(started.values[name]) for name in names)
     plain = MotionChart(
         mechanism=numbers,
         names=names,
-        start=start,
+        start_values=begun,
+        start=np.array(begun) / np.array(units),
         units=np.array(units),
         angles=angles,
         posed=frozenset(names) & (turns | slides),

@@ -155,8 +155,9 @@ def _changes(
     ]
     if len(changed) > MANY:
         return [words(f"{len(changed)} of {len(names)} change (--json)")]
+    sign = "by" if one.by_freedoms else "="
     text = ", ".join(
-        f"{name} = {decimal(_tidy(value), DIGITS)}" for name, value in changed
+        f"{name} {sign} {decimal(_tidy(value), DIGITS)}" for name, value in changed
     )
     return [words(text)]
 
@@ -229,8 +230,8 @@ def _notes(answer: Distance) -> list[str]:
         )
     if any(one.by_freedoms for one in answer.singularities):
         notes.append(
-            "where ranks alone are looked at, joints count from the posture, in all "
-            "their freedoms"
+            "where the rank itself was looked at, the motion is that of all joints, "
+            "and it is said by how much each has moved"
         )
     notes += answer.remarks
     return notes

@@ -207,6 +207,39 @@ def test_the_posture_is_moved_to_before_anything_is_measured() -> None:
         sk.distance(sk.load("four_bar_planar", at={"qA": 2.5}))
 
 
+TABLE = """
+screwkit: 1
+name: bar
+geometry: mdh
+base: base
+platform: link
+links: [base, crank, link, rocker, tip]
+joints:
+  - {name: A, type: revolute, parent: base, child: crank, mdh: {}}
+  - {name: B, type: revolute, parent: crank, child: link, mdh: {d: sqrt(5)}}
+  - {name: C, type: revolute, parent: link, child: rocker, mdh: {d: sqrt(17)}}
+  - {name: F, type: fixed, parent: rocker, child: tip, mdh: {d: sqrt(10)}}
+  - {name: D, type: revolute, parent: base, child: tip, mdh: {d: 6}}
+actuated: [A]
+"""
+
+
+def test_a_table_that_ties_its_joints() -> None:
+    """The posture that was found is said, and the distance is from there."""
+    answer = sk.distance(load_text(TABLE))
+    (said,) = [x for x in answer.remarks if x.startswith("distances begin at ")]
+    pairs = said.removeprefix("distances begin at ").split(", ")
+    at = {name: float(value) for name, value in (p.split(" = ") for p in pairs)}
+    one, two = at["qA"], at["qA"] + at["qB"]
+    b = CRANK * cos(one), CRANK * sin(one)
+    c = b[0] + COUPLER * cos(two), b[1] + COUPLER * sin(two)
+    bar = FOUR_BAR[0], b, c, FOUR_BAR[3]
+    assert hypot(c[0] - 6, c[1]) == pytest.approx(ROCKER, abs=1e-4)
+    expected = min(by_joints(bar, p, q) for p, q in dead_points())
+    entry = of(answer, "actuation")
+    assert nearest(entry).distance == pytest.approx(expected, abs=1e-4)
+
+
 def test_a_five_bar_against_all_cranks() -> None:
     """B, C and D are in line where BD is the sum or the difference of the two links."""
     answer = sk.distance(sk.load("five_bar"), length="1")
