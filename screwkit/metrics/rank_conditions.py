@@ -74,7 +74,10 @@ def fallen(matrix: Batched, rank: int, start: Array) -> Batched:
         From points to (rows − rank + 1)·(columns − rank + 1) numbers, nan where the
         border does not fit.
     """
-    left, _, right = np.linalg.svd(matrix(start[None])[0])
+    here = matrix(start[None])[0]
+    if not np.isfinite(here).all():
+        return lambda points: np.full((len(points), 1), np.nan)
+    left, _, right = np.linalg.svd(here)
     outside, over = left[:, rank - 1 :], right[rank - 1 :]
     rows, columns = len(left), len(right)
     size = rows + over.shape[0]

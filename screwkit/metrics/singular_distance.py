@@ -190,7 +190,11 @@ def chart_search(chart: MotionChart) -> Search:
         return np.stack([rows[label] for label in first.labels], axis=1)
 
     field = ScrewField(first.labels, screws, forest_of(first))
-    return Search(space, field, model_at, chart.units, starts_of(space))
+    starts = starts_of(space)
+    with np.errstate(all="ignore"):
+        exist = np.isfinite(screws(np.array(starts))).all(axis=(1, 2))
+    starts = [start for start, fine in zip(starts, exist, strict=True) if fine]
+    return Search(space, field, model_at, chart.units, starts)
 
 
 def nearest_at(
