@@ -193,7 +193,7 @@ def chart_search(chart: MotionChart) -> Search:
     starts = starts_of(space)
     with np.errstate(all="ignore"):
         exist = np.isfinite(screws(np.array(starts))).all(axis=(1, 2))
-    starts = [start for start, fine in zip(starts, exist, strict=True) if fine]
+    starts = [starts[i] for i in np.flatnonzero(exist)]
     return Search(space, field, model_at, chart.units, starts)
 
 
