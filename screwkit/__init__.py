@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from screwkit.metric_questions import view as view
     from screwkit.questions import analyze as analyze
     from screwkit.questions import assemble as assemble
+    from screwkit.questions import distance as distance
     from screwkit.questions import follow as follow
     from screwkit.questions import mobility as mobility
     from screwkit.questions import move as move
@@ -31,6 +32,7 @@ _HOMES = {
     "load": "screwkit.case",
     "analyze": "screwkit.questions",
     "assemble": "screwkit.questions",
+    "distance": "screwkit.questions",
     "follow": "screwkit.questions",
     "manipulability": "screwkit.metric_questions",
     "move": "screwkit.questions",
@@ -49,6 +51,7 @@ __all__ = [
     "analyze",
     "assemble",
     "bundled_cases",
+    "distance",
     "follow",
     "load",
     "manipulability",

@@ -63,6 +63,7 @@ class Case:
             still to be moved there.
         path: Of its file; None where it has none.
         given: What was asked of the file.
+        unplaced: What the file declares before ``at`` gives values to its symbols.
     """
 
     def __init__(
@@ -71,8 +72,10 @@ class Case:
         wanted: Mapping[str, Expression] | None = None,
         path: Path | None = None,
         given: Given | None = None,
+        unplaced: Mechanism | None = None,
     ) -> None:
         self.mechanism = mechanism
+        self.unplaced = unplaced or mechanism
         self.given = given or Given()
         self.wanted = dict(wanted or {})
         self.path = path
@@ -92,10 +95,9 @@ class Case:
 
     def refuse(self, place: Sequence[str | int], message: str) -> MechanismFileError:
         """The refusal of something in the file, with its line and column."""
-        if self.path is None:
-            return MechanismFileError(self.name, (Fault(0, 0, message),))
-        fault = Fault(*place_of(self.path, tuple(place)), message)
-        return MechanismFileError(str(self.path), (fault,))
+        where = (0, 0) if self.path is None else place_of(self.path, tuple(place))
+        source = str(self.path or self.name)
+        return MechanismFileError(source, (Fault(*where, message),))
 
     def need_held_platform(self) -> None:
         """Refuse a platform that no limb connects with the base.
@@ -230,9 +232,10 @@ def _asked(mechanism: Mechanism, given: Given, path: Path | None) -> Case:
         mechanism = _with_actuated(mechanism, given.actuated)
     _refuse_open_table(mechanism, path)
     wanted: dict[str, Expression] = {}
+    unplaced = mechanism
     if given.at:
         mechanism, wanted = placed_at(mechanism, given.at)
-    return Case(mechanism, wanted, path, given)
+    return Case(mechanism, wanted, path, given, unplaced)
 
 
 def _why_no_place(question: str) -> str:
@@ -385,10 +388,8 @@ def _refuse_open_table(mechanism: Mechanism, path: Path | None) -> None:
         return  # without numbers there is no posture to look at
     if found.closed:
         return
-    names = [joint.name for joint in mechanism.joints]
-    place = (0, 0)
-    if path is not None:
-        place = place_of(path, ("joints", names.index(found.joint)))
+    row = [joint.name for joint in mechanism.joints].index(found.joint)
+    place = (0, 0) if path is None else place_of(path, ("joints", row))
     twice = mechanism.joint(found.joint).child
     message = (
         f"the posture does not close: joint {found.joint!r} places {twice!r}, which "
@@ -396,5 +397,4 @@ def _refuse_open_table(mechanism: Mechanism, path: Path | None) -> None:
         f"that bring the two together (at best they miss by {found.miss:.2g}); check "
         f"the lengths, or attach it by a fixed joint without a row"
     )
-    source = mechanism.name if path is None else str(path)
-    raise MechanismFileError(source, (Fault(*place, message),))
+    raise MechanismFileError(str(path or mechanism.name), (Fault(*place, message),))

@@ -22,6 +22,7 @@ from screwkit.options import (
     Candidates,
     CaseName,
     CertificateFile,
+    Distant,
     Draw,
     Every,
     Index,
@@ -50,7 +51,14 @@ from screwkit.options import (
     Work,
     Workers,
 )
-from screwkit.requests import extras, freedoms_or_none, names_in, request_of, settings
+from screwkit.requests import (
+    extras,
+    freedoms_or_none,
+    names_in,
+    refuse_beside_distance,
+    request_of,
+    settings,
+)
 
 _EXAMPLE = """Mobility, singularities and actuation of mechanisms, derived exactly.
 
@@ -174,6 +182,8 @@ def singularities(
     certificate: CertificateFile = None,
     slices: Slice = None,
     output: SlicePicture = None,
+    distance: Distant = False,
+    length: Length = None,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -186,13 +196,21 @@ def singularities(
     """Limb, constraint and actuation singularities in closed form.
 
     With --slice twice those where two symbols vary and all others have their values,
-    with a picture of the curves.
+    with a picture of the curves. With --distance the nearest of each kind along the
+    motion, from the posture of the file or of --at; a length counts as many radians as
+    --length goes into it.
 
     Example: screwkit singularities nao_t14 --actuated 1,2,3,7
 
     Example: screwkit singularities 3rpr_planar --slice x=-4:8 --slice y=-4:8
     -o slice.pdf
+
+    Example: screwkit singularities nao_t14 --distance --at q4=0.3 --at q9=1
     """
+    others = {"--certificate": certificate, "--slice": slices, "-o": output}
+    refuse_beside_distance(distance, length, {**others, "--all": every})
+    if distance:
+        answer(request_of("distance", locals(), length=length))
     if certificate is not None and slices:
         raise typer.BadParameter("--certificate is of the whole loci, not of a slice")
     request = request_of(
@@ -363,26 +381,3 @@ def sweep(
             scheduler=scheduler,
         )
     )
-
-
-@app.command()
-def analyze(
-    case: CaseName,
-    *,
-    add: Add = False,
-    rank: Rank = None,
-    within: Within = None,
-    variant: Variant = None,
-    set_values: Setting = None,
-    actuated: Actuated = None,
-    at: At = None,
-    timeout: Timeout = None,
-    memory: Memory = None,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
-) -> None:
-    """All of it, and the claims of the case beside what holds.
-
-    Example: screwkit analyze nao_t14 --json
-    """
-    answer(request_of("analyze", locals(), **extras(add, rank, within)))

@@ -161,6 +161,13 @@ SlicePicture = Annotated[
     Path | None,
     typer.Option("-o", "--output", help="Draw the slice: .pdf, .svg or .png."),
 ]
+Distant = Annotated[
+    bool,
+    typer.Option(
+        "--distance",
+        help="How far the posture is from the nearest of each kind.",
+    ),
+]
 Slice = Annotated[
     list[str] | None,
     typer.Option(

@@ -1,4 +1,4 @@
-"""The commands that write pages: the report, and the interactive picture."""
+"""The commands about the whole mechanism: all answers, a report, a 3-D picture."""
 
 from __future__ import annotations
 
@@ -28,6 +28,29 @@ from screwkit.options import (
     Within,
 )
 from screwkit.requests import extras, request_of
+
+
+@app.command()
+def analyze(
+    case: CaseName,
+    *,
+    add: Add = False,
+    rank: Rank = None,
+    within: Within = None,
+    variant: Variant = None,
+    set_values: Setting = None,
+    actuated: Actuated = None,
+    at: At = None,
+    timeout: Timeout = None,
+    memory: Memory = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """All of it, and the claims of the case beside what holds.
+
+    Example: screwkit analyze nao_t14 --json
+    """
+    answer(request_of("analyze", locals(), **extras(add, rank, within)))
 
 
 @app.command()

@@ -17,6 +17,7 @@ from screwkit.metric_questions import manipulability, measure_of
 from screwkit.progress import Progress, silent
 from screwkit.reports import showing  # noqa: F401 -- answers show themselves
 from screwkit.results.analysis import Analysis
+from screwkit.results.distance import Distance
 from screwkit.results.mobility import Mobility, MotionCase
 from screwkit.results.motion import MotionPath
 from screwkit.results.schemes import Ranking, Schemes
@@ -177,6 +178,27 @@ def singularities(
 
         answer = replace(answer, certificate=certificate_of(case, answer, progress))
     return answer
+
+
+def distance(case: Case, length: str = "", progress: Progress = silent) -> Distance:
+    """How far the posture is from the nearest singularity of each kind.
+
+    Args:
+        case: The mechanism; a number for each of its symbols.
+        length: A length that counts as one radian; a number or an expression of
+            constants, the characteristic length by default.
+        progress: Told about each stage.
+
+    Raises:
+        UndecidedError: If a symbol has no value, the posture is not reached, or no
+            joint moves.
+        ExpressionError: If the length is no positive constant.
+        MechanismFileError: If no limb holds the platform.
+    """
+    from screwkit.distances import distance_of  # noqa: PLC0415
+
+    case.need_held_platform()
+    return distance_of(case, measure_of(length), progress)
 
 
 def schemes(

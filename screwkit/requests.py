@@ -66,6 +66,30 @@ def extras(
     }
 
 
+def refuse_beside_distance(
+    distance: bool, length: str | None, others: dict[str, Any]
+) -> None:
+    """Distances are an answer of their own, and only they have a measure.
+
+    Args:
+        distance: Whether they are asked for.
+        length: How they are measured.
+        others: What goes with loci only, by option.
+
+    Raises:
+        typer.BadParameter: If options do not go together.
+    """
+    if not distance and length is not None:
+        raise typer.BadParameter(
+            "--length says how distances are measured; give --distance with it"
+        )
+    beside = [option for option, given in others.items() if given]
+    if distance and beside:
+        raise typer.BadParameter(
+            f"--distance is an answer of its own; ask without {', '.join(beside)}"
+        )
+
+
 def freedoms_or_none(option: str, text: str | None) -> list[str] | None:
     """`freedoms_in` of an option that may be left out."""
     return None if text is None else list(freedoms_in(option, text))

@@ -22,6 +22,7 @@ TARGETS: Final = {
     "relative_motion": "screwkit.questions:relative_motion",
     "screws": "screwkit.questions:screws",
     "singularities": "screwkit.questions:singularities",
+    "distance": "screwkit.questions:distance",
     "schemes": "screwkit.questions:schemes",
     "manipulability": "screwkit.metric_questions:manipulability",
     "reach": "screwkit.metric_questions:reach",

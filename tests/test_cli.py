@@ -176,6 +176,31 @@ def test_options_of_schemes_reach_the_analysis(engine: Answering) -> None:
     assert engine.jobs[0].options == {"size": 5, "candidates": ["1", "2", "3"]}
 
 
+def test_a_distance_is_a_question_of_its_own(engine: Answering) -> None:
+    asked = ["singularities", "nao_t14", "--distance", "--at", "q4=0.3"]
+    screwkit(*asked, "--length", "1/2")
+    (job,) = engine.jobs
+    assert (job.question, job.options) == ("distance", {"length": "1/2"})
+    assert job.at == {"q4": "0.3"}
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--length", "2"], "give --distance with it"),
+        (["--distance", "--all"], "ask without --all"),
+        (["--distance", "--slice", "x=0:1"], "ask without --slice"),
+        (["--distance", "--certificate", "c.json"], "ask without --certificate"),
+    ],
+)
+def test_a_distance_goes_without_what_is_of_loci(
+    engine: Answering, capsys: pytest.CaptureFixture[str], options: list[str], said: str
+) -> None:
+    assert screwkit("singularities", "nao_t14", *options) == 2
+    assert said in " ".join(capsys.readouterr().err.split())
+    assert not engine.jobs
+
+
 @pytest.mark.parametrize("command", ["schemes", "analyze", "report"])
 def test_a_ranking_reaches_the_analysis(
     engine: Answering, command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -163,7 +163,7 @@ def misses(stance: Stance) -> Array:
 
     To first order the twist that the joints of the loop have to undo.
     """
-    turned = _rotation_vectors(stance.gaps[..., :3, :3])
+    turned = rotation_vectors(stance.gaps[..., :3, :3])
     both = np.concatenate([turned, stance.gaps[..., :3, 3]], axis=-1)
     return both.reshape(len(stance), -1)
 
@@ -219,7 +219,7 @@ def _cross_matrix(vectors: Array) -> Array:
     return matrix
 
 
-def _rotation_vectors(rotation: Array) -> Array:
+def rotation_vectors(rotation: Array) -> Array:
     """Axis times angle, batch + (3,); 0 at exactly half a turn, which has no axis."""
     axis = 0.5 * np.stack(
         [

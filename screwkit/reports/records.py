@@ -17,6 +17,7 @@ from screwkit.errors import Fault
 from screwkit.reports import showing  # noqa: F401 -- answers show themselves
 from screwkit.reports.wire import Json, decode, encode, schema
 from screwkit.results.analysis import Analysis, Description
+from screwkit.results.distance import Distance
 from screwkit.results.manipulability import Manipulability
 from screwkit.results.mobility import Mobility
 from screwkit.results.reach import Reach
@@ -38,6 +39,7 @@ Result: TypeAlias = (
     | Screws
     | RelativeMotion
     | Singularities
+    | Distance
     | Schemes
     | Manipulability
     | Reach
@@ -53,6 +55,7 @@ QUESTIONS: Final[dict[str, type]] = {
     "screws": Screws,
     "relative_motion": RelativeMotion,
     "singularities": Singularities,
+    "distance": Distance,
     "schemes": Schemes,
     "manipulability": Manipulability,
     "reach": Reach,

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import singledispatch
 from typing import Any
 
+from screwkit.reports.about_distance import distance_blocks
 from screwkit.reports.about_manipulability import manipulability_blocks
 from screwkit.reports.about_mobility import mobility_blocks, topology_line
 from screwkit.reports.about_reach import reach_blocks
@@ -42,6 +43,7 @@ from screwkit.reports.blocks import (
 )
 from screwkit.reports.notation import is_mathematics
 from screwkit.results.analysis import Analysis, ClaimCheck, Description
+from screwkit.results.distance import Distance
 from screwkit.results.manipulability import Manipulability
 from screwkit.results.mobility import Mobility
 from screwkit.results.reach import Reach
@@ -128,6 +130,11 @@ def _(result: RelativeMotion) -> tuple[Block, ...]:
 @blocks.register
 def _(result: Singularities) -> tuple[Block, ...]:
     return singularities_blocks(result)
+
+
+@blocks.register
+def _(result: Distance) -> tuple[Block, ...]:
+    return distance_blocks(result)
 
 
 @blocks.register
