@@ -164,7 +164,7 @@ def _singular(
         for number, (own, dimension) in enumerate(zip(own, dimensions, strict=True))
         if dimension is not None
     ]
-    points = [p for p in points if p.dimension]
+    points = _alike([p for p in points if p.dimension])
     if not points:
         return _nothing_found(found.count, found.count - found.failed, found.failed)
     branches = branches_of(forest, stance, points, random)
@@ -175,6 +175,20 @@ def _singular(
     if unsettled:
         words += f", {unsettled} to singular postures"
     return FiniteMotion("sampled", mobility, branches, words)
+
+
+def _alike(points: Sequence[Point]) -> list[Point]:
+    """Points of unknown tangents take those of the branch that they are like else."""
+    known: dict[tuple[object, ...], set[tuple[int, ...]]] = {}
+    for point in points:
+        if point.along:
+            known.setdefault(point.looks[:3], set()).add(point.along)
+    found = []
+    for point in points:
+        ways = known.get(point.looks[:3], set())
+        lonely = not point.along and len(ways) == 1
+        found.append(replace(point, along=next(iter(ways))) if lonely else point)
+    return found
 
 
 def _along(

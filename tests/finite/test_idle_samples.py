@@ -140,3 +140,33 @@ def test_the_spin_of_the_platform_itself_is_not_left_aside() -> None:
     found = mobility(bars)
     assert found.full_cycle.mobility == (3,)
     assert found.platform.finite_motion_types == ("0T1R",)
+
+
+@pytest.mark.parametrize(
+    ("platform", "finite_type"), [("plate", "2T0R"), ("rod0", "0T3R")]
+)
+def test_a_plate_on_six_equal_parallel_rods_is_one_branch(
+    platform: str, finite_type: str
+) -> None:
+    """Such a plate moves on a sphere without turning, and six rods spin.
+
+    It is shaky wherever it stands: six parallel forces have the rank 3.  Not all of the
+    samples tell along which twists they move, and these are no other branch.
+    """
+    feet = [(0, 0, 0), (3, 0, 0), (4, 2, 1), (2, 5, 0), (-1, 3, 2), (-2, 1, -1)]
+    rods = network(
+        *(
+            joint
+            for k, (x, y, z) in enumerate(feet)
+            for joint in (
+                ball(f"S{k}", "base", f"rod{k}", (x, y, z)),
+                ball(f"T{k}", f"rod{k}", "plate", (x + 1, y + 2, z + 4)),
+            )
+        ),
+        platform=platform,
+    )
+    assert rods.motion.mobility == 6 + 3
+    found = mobility(rods)
+    assert found.full_cycle.mobility == (8,)
+    assert [branch.mobility for branch in found.full_cycle.branches] == [8]
+    assert found.platform.finite_motion_types == (finite_type,)
