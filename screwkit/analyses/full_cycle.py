@@ -136,6 +136,7 @@ def _branches(
             branch.starts,
             branch.modes,
             _in_plane(branch.finite_type) if planar else branch.finite_type,
+            branch.straight,
         )
         for branch in sample.branches
     )
