@@ -7,9 +7,18 @@ also say how each branch moves.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from screwkit.finite.finite_motion import FiniteMotion
-from screwkit.finite.finite_proofs import proved_mobility
+from screwkit.finite.finite_proofs import (
+    Proof,
+    UpperBound,
+    proved_mobility,
+    upper_bound,
+)
+from screwkit.finite.idle_freedoms import idle_freedoms
 from screwkit.finite.near_miss import near_miss
+from screwkit.finite.near_motion import near_motion
 from screwkit.finite.sampling import sampled_motion
 from screwkit.kinematics.network import Motion, Network
 from screwkit.results.mobility import FullCycle, MotionBranch
@@ -36,17 +45,28 @@ def full_cycle(
     proof = proved_mobility(network, at)
     if proof is not None and known is not None and _as_proved(known, at, kind):
         return FullCycle("proved", proof.mobility, proof.reason, known.branches), None
-    sample = sampled_motion(mechanism, generic=bool(mechanism.parameters))
+    sample = sampled_motion(at, generic=bool(mechanism.parameters))
     if proof is None:
-        return cycle_of(network, sample), sample
+        return _bounded(cycle_of(network, sample), upper_bound(network, at)), sample
     branches = _branches(network, sample)
     if {branch.mobility for branch in branches} - set(proof.mobility):
         branches = ()  # a sample that went elsewhere proves nothing
-    reason = proof.reason
-    missed = "" if network.has_symbols else near_miss(mechanism, at.rank)
-    if missed:
-        reason = f"{reason}; {missed}"
+    notes = [proof.reason, _what_rounding_hides(network, at, proof)]
+    settled = branches or proof.mobility in {(at.mobility,), (0,)}
+    if not settled:
+        notes.append(f"how the platform moves meanwhile is open: {sample.reason}")
+    reason = "; ".join(filter(None, notes))
     return FullCycle("proved", proof.mobility, reason, branches), sample
+
+
+def _what_rounding_hides(network: Network, at: Motion, proof: Proof) -> str:
+    """What the loops would be up to the rounding of decimals; mostly empty."""
+    if network.has_symbols:
+        return ""
+    missed = near_miss(network.mechanism, at.rank)
+    if not missed and at.mobility and proof.mobility == (len(idle_freedoms(at)),):
+        missed = near_motion(at)
+    return missed
 
 
 def _as_proved(known: FullCycle, at: Motion, kind: str) -> bool:
@@ -72,6 +92,19 @@ def _all_closed(network: Network, at: Motion) -> FullCycle:
             "the motion is finite"
         )
     return FullCycle("proved", (at.mobility,), reason)
+
+
+def _bounded(cycle: FullCycle, bound: UpperBound | None) -> FullCycle:
+    """Samples beside what is proved: the bound is told where they leave all open."""
+    if bound is None:
+        return cycle
+    told = f"proved is that it is {bound.mobility} at most: {bound.reason}"
+    if not cycle.mobility:
+        return replace(cycle, reason=f"{cycle.reason}; {told}")
+    if max(cycle.mobility) <= bound.mobility:
+        return cycle
+    found = " or ".join(map(str, cycle.mobility))
+    return FullCycle("undecided", (), f"samples show {found}, yet {told}")
 
 
 def cycle_of(network: Network, sample: FiniteMotion) -> FullCycle:
@@ -103,6 +136,7 @@ def _branches(
             branch.starts,
             branch.modes,
             _in_plane(branch.finite_type) if planar else branch.finite_type,
+            branch.straight,
         )
         for branch in sample.branches
     )

@@ -141,9 +141,10 @@ class _Search:
                 new = range(len(graph.edges), len(two.edges))
                 there = tuple((n, 1) for n in new)
                 back = tuple((n, -1) for n in reversed(new))
-                inner = self._dimension(two, (*cycle[i:j], *back))
-                outer = self._dimension(two, (*cycle[j:], *cycle[:i], *there))
-                saved = dimension + len(system) - inner - outer
+                saved = dimension + len(system)
+                saved -= self._dimension(two, (*cycle[i:j], *back))
+                if saved > most:
+                    saved -= self._dimension(two, (*cycle[j:], *cycle[:i], *there))
                 if saved > most:
                     most, chosen = saved, pair
         return chosen

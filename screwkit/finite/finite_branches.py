@@ -9,7 +9,7 @@ References: [Mueller2016], [Zlatanov2002].
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -18,7 +18,8 @@ from screwkit.algebra.batch import Array
 from screwkit.finite.branch_walk import VISIBLE, body_systems, twist_systems, walk
 from screwkit.finite.exponentials import Stance
 from screwkit.finite.local_dimension import Kernel
-from screwkit.finite.motion_invariants import EXACT, motion_in_words
+from screwkit.finite.motion_invariants import EXACT, motion_in_words, runs_straight
+from screwkit.finite.posture_model import PostureModel
 from screwkit.finite.spanning_forest import Forest
 
 WALKERS = 4
@@ -29,6 +30,9 @@ PLACES = 6
 
 INEXACT = 1e-5
 """Largest failure of an invariant on a branch that is shaky wherever one stands."""
+
+TURNING = ("", "planar", "rotation about a fixed point", "Schönflies")
+"""Motions in which one point may run along a line although the body is not shifted."""
 
 SAME_LINE = 0.99
 """Smallest cosine between tangents of one branch of one dimension."""
@@ -54,6 +58,8 @@ class FiniteBranch:
         modes: How many branches look like this from outside but differ in which joints
             move, in how other links do, or, if of one dimension, in the direction in
             which they leave the posture.
+        straight: Joints of the platform whose axis or centre runs along a straight
+            line, where the platform moves in one way and is not merely shifted.
         places: Some postures on it.
     """
 
@@ -69,6 +75,7 @@ class FiniteBranch:
     starts: int
     ranks_met: tuple[int, ...] = ()
     modes: int = 1
+    straight: tuple[str, ...] = ()
     places: Stance | None = field(default=None, compare=False, repr=False)
 
 
@@ -94,8 +101,17 @@ def branches_of(
     stance: Stance,
     points: Sequence[Point],
     random: np.random.Generator,
+    marks: Mapping[str, Array],
 ) -> tuple[FiniteBranch, ...]:
-    """One branch for every look of the points and every motion of the platform."""
+    """One branch for every look of the points and every motion of the platform.
+
+    Args:
+        forest: Of the mechanism.
+        stance: Closed postures.
+        points: What is known of them.
+        random: Chooses walks.
+        marks: Points of each joint of the platform at the posture of the model.
+    """
     found: list[FiniteBranch] = []
     loops = len(forest.closing_joints)
     freedoms = stance.screws.shape[1]
@@ -107,15 +123,17 @@ def branches_of(
         bases = [point.kernel for point in walkers]
         walked = walk(forest, stance.take(numbers), bases, dimension, random)
         exact = EXACT if dimension == freedoms - rank else INEXACT
-        groups: dict[str, list[Point]] = {}
+        groups: dict[tuple[str, tuple[str, ...]], list[Point]] = {}
         for pattern in dict.fromkeys(point.pattern for point in walkers):
             chosen = np.array([point.pattern == pattern for point in walkers])
-            words = ""
+            words, straight = "", tuple[str, ...]()
             if forest.platform[0] and walked.taken[chosen].any():
                 seen = walked.displacements[:, chosen].reshape(-1, 4, 4)
                 words = motion_in_words(seen, exact)
+                if dimension == 1 and words in TURNING:
+                    straight = _straight(seen, marks, exact)
             alike = [point for point in own if point.pattern == pattern]
-            groups.setdefault(words, []).extend(alike)
+            groups.setdefault((words, straight), []).extend(alike)
         found.extend(
             FiniteBranch(
                 mobility=dimension,
@@ -130,11 +148,42 @@ def branches_of(
                 starts=len(members),
                 ranks_met=walked.ranks,
                 modes=len({point.pattern for point in members}),
+                straight=straight,
                 places=stance.take(np.array([p.number for p in members[:PLACES]])),
             )
-            for words, members in groups.items()
+            for (words, straight), members in groups.items()
         )
     return tuple(found)
+
+
+def _straight(
+    displacements: Array, marks: Mapping[str, Array], tolerance: float
+) -> tuple[str, ...]:
+    """The marked joints that run along a straight line."""
+    return tuple(
+        name
+        for name, points in marks.items()
+        if runs_straight(displacements, points, tolerance)
+    )
+
+
+def marks_of(model: PostureModel) -> dict[str, Array]:
+    """Points by which joints of the platform are followed: centres, or two of an axis.
+
+    Joints without a place of their own, and joints to the base, have none.
+    """
+    marks = {}
+    for joint in model.joints:
+        ends = joint.parent, joint.child
+        if model.platform not in ends or model.base in ends or not len(joint.screws):
+            continue
+        along, moments = joint.screws[:, :3], joint.screws[:, 3:]
+        if joint.ball:
+            marks[joint.name] = 0.5 * np.cross(along, moments)[:3].sum(axis=0)[None]
+        elif len(along) == 1 and along.any():
+            foot = np.cross(along, moments)
+            marks[joint.name] = np.concatenate([foot, foot + along])
+    return marks
 
 
 def _representatives(points: Sequence[Point]) -> list[Point]:

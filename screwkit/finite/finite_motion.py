@@ -11,11 +11,12 @@ References: [Mueller2016], [Hunt1978], [Zlatanov2002].
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from screwkit.algebra.batch import Array
 from screwkit.finite.branch_search import FARTHEST, NEAREST, starts, wandered
 from screwkit.finite.exponentials import Stance, stance_of
 from screwkit.finite.finite_branches import (
@@ -23,6 +24,7 @@ from screwkit.finite.finite_branches import (
     Point,
     branches_of,
     directions,
+    marks_of,
     pattern_of,
     platform_system,
 )
@@ -94,6 +96,7 @@ def finite_motion(
     """
     model = scaled(with_locked(model, locked))
     forest, random = forest_of(model), np.random.default_rng(seed)
+    marks = marks_of(model)
     origin = stance_of(model, forest)
     split, values = split_at(forest, origin, cut=float(np.sqrt(np.prod(EXACT_CUT))))
     unclear = unclear_rank(values[0])
@@ -106,13 +109,17 @@ def finite_motion(
         distances = scale * np.linspace(NEAREST, FARTHEST, FEW)
         near = around(forest, origin, kernel, distances, random)
         if near.closed.all():
-            found = _regular(forest, kernel, near.stance, random)
+            found = _regular(forest, kernel, near.stance, random, marks)
             return replace(found, model=model)
-    return replace(_singular(forest, origin, kernel, random), model=model)
+    return replace(_singular(forest, origin, kernel, random, marks), model=model)
 
 
 def _regular(
-    forest: Forest, kernel: Kernel, near: Stance, random: np.random.Generator
+    forest: Forest,
+    kernel: Kernel,
+    near: Stance,
+    random: np.random.Generator,
+    marks: Mapping[str, Array],
 ) -> FiniteMotion:
     same = np.zeros(len(near), dtype=np.intp)
     points = [
@@ -123,13 +130,17 @@ def _regular(
     # Closed around at full dimension means constant rank; only twists may still drop.
     most = max(point.twists for point in points)
     points = [p for p in points if p.twists == most and p.kernel.rank == kernel.rank]
-    branches = branches_of(forest, near, points, random)
+    branches = branches_of(forest, near, points, random, marks)
     words = f"all {len(near)} starts stay closed at the rank of the posture"
     return FiniteMotion("sampled", (kernel.dimension,), branches, words)
 
 
 def _singular(
-    forest: Forest, origin: Stance, kernel: Kernel, random: np.random.Generator
+    forest: Forest,
+    origin: Stance,
+    kernel: Kernel,
+    random: np.random.Generator,
+    marks: Mapping[str, Array],
 ) -> FiniteMotion:
     found = starts(forest, origin, kernel, MANY, random)
     if not len(found.stance):
@@ -164,10 +175,10 @@ def _singular(
         for number, (own, dimension) in enumerate(zip(own, dimensions, strict=True))
         if dimension is not None
     ]
-    points = [p for p in points if p.dimension]
+    points = _alike([p for p in points if p.dimension])
     if not points:
         return _nothing_found(found.count, found.count - found.failed, found.failed)
-    branches = branches_of(forest, stance, points, random)
+    branches = branches_of(forest, stance, points, random, marks)
     mobility = tuple(sorted({branch.mobility for branch in branches}))
     words = f"{len(points)} of {found.count} starts lead to closed postures"
     if found.collapsed:
@@ -175,6 +186,20 @@ def _singular(
     if unsettled:
         words += f", {unsettled} to singular postures"
     return FiniteMotion("sampled", mobility, branches, words)
+
+
+def _alike(points: Sequence[Point]) -> list[Point]:
+    """Points of unknown tangents take those of the branch that they are like else."""
+    known: dict[tuple[object, ...], set[tuple[int, ...]]] = {}
+    for point in points:
+        if point.along:
+            known.setdefault(point.looks[:3], set()).add(point.along)
+    found = []
+    for point in points:
+        ways = known.get(point.looks[:3], set())
+        lonely = not point.along and len(ways) == 1
+        found.append(replace(point, along=next(iter(ways))) if lonely else point)
+    return found
 
 
 def _along(

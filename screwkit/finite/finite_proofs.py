@@ -20,9 +20,9 @@ from screwkit.finite.idle_freedoms import idle_freedoms
 from screwkit.finite.order_proofs import (
     IDENTICAL,
     Proved,
+    bound_by_order,
     of_a_part,
     proved_by_order,
-    second_order_bound,
     smooth,
 )
 from screwkit.kinematics.network import Motion, Network, motion
@@ -117,15 +117,17 @@ def upper_bound(network: Network, at: Motion) -> UpperBound | None:
         return None
     blocks = graph.blocks()
     dimension = len(idle) + graph.width - sum(block.width for block in blocks)
+    highest = 0
     for block in blocks:
         contact = _has_contact(network, block)
-        dimension += block.mobility if contact else second_order_bound(block)
+        bound, order = (block.mobility, 0) if contact else bound_by_order(block)
+        dimension, highest = dimension + bound, max(highest, order)
     if dimension >= at.mobility:
         return None
     return UpperBound(
         dimension,
-        f"of the {at.mobility}-dimensional joint rates at this posture only a cone of "
-        f"dimension {dimension} keeps the loops closed to second order",
+        f"of the {at.mobility}-dimensional joint rates at this posture no more than a "
+        f"cone of dimension {dimension} keeps the loops closed through order {highest}",
     )
 
 

@@ -12,13 +12,13 @@ References: [ConnellyWhiteley1996] (second-order rigidity), [LongCaroKhalil2012]
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations_with_replacement
 from typing import TypeAlias
 
-from screwkit.algebra.elimination_modulo import eliminated
-from screwkit.algebra.modular import annihilator
+from screwkit.algebra.modular import annihilator, echelon, rank
 from screwkit.finite.chain_graph import ChainGraph, independent_cycles
 from screwkit.finite.lie_closure import Span, bracket
 from screwkit.finite.loop_series import curve
@@ -70,6 +70,7 @@ def fails_at_once(graph: ChainGraph) -> bool:
     return graph.mobility > 0 and curve(graph).order_of_failure(2) is not None
 
 
+@lru_cache(maxsize=8)
 def second_order_forms(graph: ChainGraph) -> tuple[Form, ...]:
     """The independent quadratic forms among those of the self-stresses of a block."""
     prime, rates = graph.prime, graph.rates
@@ -121,7 +122,8 @@ def _curvature(
     return total
 
 
-def cone_dimension(forms: Sequence[Form], variables: int, prime: int) -> int:
+@lru_cache(maxsize=8)
+def cone_dimension(forms: tuple[Form, ...], variables: int, prime: int) -> int:
     """Upper bound of the dimension of the common zeros of quadratic forms.
 
     Exact where it is below ``variables``: the least d for which the zeros on a random
@@ -165,15 +167,18 @@ def _only_zero(forms: Sequence[Form], variables: int, prime: int) -> bool:
     degree = variables + 1
     monomials = list(combinations_with_replacement(range(variables), degree))
     column = {monomial: number for number, monomial in enumerate(monomials)}
-
-    def rows() -> Iterator[dict[int, int]]:
-        for factor in combinations_with_replacement(range(variables), degree - 2):
-            for form in forms:
-                row: dict[int, int] = {}
-                for i in range(variables):
-                    for j in range(variables):
-                        key = column[tuple(sorted((*factor, i, j)))]
-                        row[key] = (row.get(key, 0) + form[i][j]) % prime
-                yield {key: value for key, value in row.items() if value}
-
-    return eliminated(rows(), len(monomials), prime).rank == len(monomials)
+    pairs = list(combinations_with_replacement(range(variables), 2))
+    # However many loops there are, no more are independent than there are monomials.
+    quadrics = echelon(
+        [[form[i][j] * (1 if i == j else 2) for i, j in pairs] for form in forms],
+        prime,
+    )
+    rows = []
+    for factor in combinations_with_replacement(range(variables), degree - 2):
+        columns = [column[tuple(sorted((*factor, i, j)))] for i, j in pairs]
+        for quadric in quadrics:
+            row = [0] * len(monomials)
+            for place, value in zip(columns, quadric, strict=True):
+                row[place] = value
+            rows.append(row)
+    return rank(rows, prime) == len(monomials)

@@ -10,20 +10,31 @@ References: [Hunt1978].
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from screwkit.algebra.elimination_modulo import eliminated
 from screwkit.finite.lie_closure import ResidueScrew, Span, is_subalgebra
 from screwkit.kinematics.network import Motion
 
 
-def idle_freedoms(motion: Motion) -> tuple[str, ...]:
+def idle_freedoms(
+    motion: Motion,
+    apart_from: Collection[str] = (),
+    shares: Mapping[str, float] | None = None,
+) -> tuple[str, ...]:
     """Labels of freedoms to hold, one for each idle motion of a body with two joints.
 
     Near the posture a joint with the group G is the product of the held factors' rest
     and of the common group K: G = G′·K, since their screws are a basis of G's algebra.
     The factors of K then meet those of the other joint, which absorbs them.
+
+    Args:
+        motion: At the posture.
+        apart_from: Bodies whose own motion is asked for, whose idle freedoms stay.
+        shares: How much each freedom takes part in idle motions, where that is known:
+            of the freedoms that may be held those with the largest shares are.
     """
+    sizes = shares or {}
     network, posture = motion.network, motion.posture
     prime = posture.prime
     labels = {
@@ -38,7 +49,7 @@ def idle_freedoms(motion: Motion) -> tuple[str, ...]:
     held: list[str] = []
     for link in network.mechanism.links:
         names = joints_at.get(link, [])
-        if len(names) != 2 or contacts & set(names):
+        if len(names) != 2 or contacts & set(names) or link in apart_from:
             continue
         one, other = ([posture.twists[x] for x in labels[name]] for name in names)
         if not (_is_group(one, prime) and _is_group(other, prime)):
@@ -46,9 +57,8 @@ def idle_freedoms(motion: Motion) -> tuple[str, ...]:
         common = _common(one, other, prime)
         span = Span(prime, common)
         first = names[0]
-        dropped = [
-            label for label in labels[first] if not span.add(posture.twists[label])
-        ]
+        ordered = sorted(labels[first], key=lambda label: sizes.get(label, 0.0))
+        dropped = [label for label in ordered if not span.add(posture.twists[label])]
         held += dropped
         labels[first] = [x for x in labels[first] if x not in dropped]
     return tuple(held)

@@ -13,6 +13,7 @@ from __future__ import annotations
 import random
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from typing import TypeAlias
 
 ResidueScrew: TypeAlias = tuple[int, ...]
@@ -45,12 +46,11 @@ class Span:
         for pivot, row in self._rows.items():
             factor = left[pivot]
             if factor:
-                left = [
-                    (x - factor * y) % prime for x, y in zip(left, row, strict=True)
-                ]
-        pivot = next((i for i, x in enumerate(left) if x), -1)
-        if pivot < 0:
+                pairs = zip(left, row, strict=True)
+                left = [(x - factor * y) % prime for x, y in pairs]
+        if not any(left):
             return False
+        pivot = next(i for i, x in enumerate(left) if x)
         inverse = pow(left[pivot], -1, prime)
         self._rows[pivot] = [x * inverse % prime for x in left]
         return True
@@ -71,8 +71,9 @@ def lie_closure(screws: Iterable[ResidueScrew], prime: int) -> list[ResidueScrew
     while waiting and len(basis) < 6:
         screw = waiting.pop()
         if span.add(screw):
-            waiting.extend(bracket(screw, other, prime) for other in basis)
             basis.append(screw)
+            if len(basis) < 6:
+                waiting.extend(bracket(screw, other, prime) for other in basis[:-1])
     return basis
 
 
@@ -95,14 +96,14 @@ def loop_algebra(word: Word, prime: int) -> list[ResidueScrew]:
     if len(uses) == len(word):
         return whole
     least = len(Span(prime, _tied_columns(word, prime)))
-    best = whole
+    best, samples = whole, _Samples(word, prime)
     for start, (parameter, _) in enumerate(word):
         if len(best) == least:
             break
         if uses[parameter] > 1 or uses[word[start - 1][0]] > 1:
-            turned = (*word[start:], *word[:start])
-            found = lie_closure(_twists_anywhere(turned, prime), prime)
-            best = min(best, found, key=len)
+            twists = samples.twists_anywhere(start, len(best))
+            if len(twists) < len(best):
+                best = min(best, lie_closure(twists, prime), key=len)
     return best
 
 
@@ -117,32 +118,74 @@ def _tied_columns(word: Word, prime: int) -> list[list[int]]:
     return list(columns.values())
 
 
-def _twists_anywhere(word: Word, prime: int) -> list[ResidueScrew]:
-    """Twists ∂W/∂q W⁻¹ that span those at all parameter values."""
-    source = random.Random(len(word))
-    span, found, grows = Span(prime), list[ResidueScrew](), True
-    while grows and len(span) < 6:
-        grows = False
-        for column in _twists_at_random(word, prime, source):
-            if span.add(column):
-                found.append(tuple(column))
-                grows = True
-    return found
+class _Samples:
+    """Twists ∂W/∂q W⁻¹ of a loop at random parameter values, from any entrance.
+
+    Entered behind its first k factors P the loop is P⁻¹WP.  There the factors behind
+    follow P⁻¹, and those of P follow P⁻¹W: all entrances share one walk around.
+    """
+
+    def __init__(self, word: Word, prime: int) -> None:
+        self._word, self._prime = word, prime
+        self._source = random.Random(len(word))
+        self._walks: list[_Walk] = []
+
+    def twists_anywhere(self, start: int, most: int) -> list[ResidueScrew]:
+        """Twists that span those at all values, the loop entered before a factor.
+
+        No more are looked for than a given number.
+        """
+        span, found, grows = Span(self._prime), list[ResidueScrew](), True
+        number = 0
+        while grows and len(span) < most:
+            grows = False
+            for column in self._columns(number, start):
+                if len(span) < most and span.add(column):
+                    found.append(column)
+                    grows = True
+            number += 1
+        return found
+
+    def _columns(self, number: int, start: int) -> list[ResidueScrew]:
+        if number == len(self._walks):
+            self._walks.append(_walk(self._word, self._prime, self._source))
+        walk, prime = self._walks[number], self._prime
+        parameters = [parameter for parameter, _ in self._word]
+        own = [*walk.again[:start], *walk.moved[start:]]
+        columns = _tied_columns(tuple(zip(parameters, own, strict=True)), prime)
+        home = _inverse(walk.before[start], prime)
+        return [_carried(home, column, prime) for column in columns]
 
 
-def _twists_at_random(word: Word, prime: int, source: random.Random) -> list[list[int]]:
+@dataclass(frozen=True)
+class _Walk:
+    """A loop at random parameter values.
+
+    Attributes:
+        before: The displacement before each factor.
+        moved: The screw of each factor after it.
+        again: The same one turn of the loop later.
+    """
+
+    before: list[_Displacement]
+    moved: list[ResidueScrew]
+    again: list[ResidueScrew]
+
+
+def _walk(word: Word, prime: int, source: random.Random) -> _Walk:
     parameters = {parameter for parameter, _ in word}
     values = {
         p: (source.randrange(1, prime), source.randrange(prime))
         for p in sorted(parameters)
     }
-    moved: list[tuple[int, ResidueScrew]] = []
-    before: _Displacement = (((1, 0, 0), (0, 1, 0), (0, 0, 1)), (0, 0, 0))
+    before, moved = list[_Displacement](), list[ResidueScrew]()
+    here: _Displacement = (((1, 0, 0), (0, 1, 0), (0, 0, 1)), (0, 0, 0))
     for parameter, screw in word:
-        moved.append((parameter, _carried(before, screw, prime)))
+        before.append(here)
+        moved.append(_carried(here, screw, prime))
         step = _exponential(screw, *values[parameter], prime)
-        before = _composed(before, step, prime)
-    return _tied_columns(tuple(moved), prime)
+        here = _composed(here, step, prime)
+    return _Walk(before, moved, [_carried(here, screw, prime) for screw in moved])
 
 
 def _exponential(
@@ -184,29 +227,47 @@ def _exponential(
 
 def _composed(one: _Displacement, other: _Displacement, prime: int) -> _Displacement:
     (first, here), (second, there) = one, other
-    columns = list(zip(*second, strict=True))
+    (a, b, c), (d, e, f), (g, h, i) = second
     product = tuple(
-        tuple(sum(x * y for x, y in zip(row, c, strict=True)) % prime for c in columns)
-        for row in first
+        (
+            (x * a + y * d + z * g) % prime,
+            (x * b + y * e + z * h) % prime,
+            (x * c + y * f + z * i) % prime,
+        )
+        for x, y, z in first
     )
-    image = _rotated(first, there, prime)
-    return product, tuple((x + y) % prime for x, y in zip(image, here, strict=True))
+    u, v, w = _rotated(first, there, prime)
+    return product, (
+        (u + here[0]) % prime,
+        (v + here[1]) % prime,
+        (w + here[2]) % prime,
+    )
+
+
+def _inverse(displacement: _Displacement, prime: int) -> _Displacement:
+    rotation, shift = displacement
+    back = tuple(zip(*rotation, strict=True))
+    return back, tuple(-x % prime for x in _rotated(back, shift, prime))
 
 
 def _carried(
-    displacement: _Displacement, screw: ResidueScrew, prime: int
+    displacement: _Displacement, screw: Sequence[int], prime: int
 ) -> ResidueScrew:
     """The screw after the displacement: (Rω; Rv + t×Rω)."""
     rotation, shift = displacement
     turn = _rotated(rotation, screw[:3], prime)
-    slide = _rotated(rotation, screw[3:], prime)
-    around = _cross(shift, turn)
-    return (*turn, *((x + y) % prime for x, y in zip(slide, around, strict=True)))
+    u, v, w = _rotated(rotation, screw[3:], prime)
+    x, y, z = _cross(shift, turn)
+    return (*turn, (u + x) % prime, (v + y) % prime, (w + z) % prime)
 
 
 def _rotated(rotation: _Rotation, vector: Sequence[int], prime: int) -> tuple[int, ...]:
-    return tuple(
-        sum(x * y for x, y in zip(row, vector, strict=True)) % prime for row in rotation
+    (a, b, c), (d, e, f), (g, h, i) = rotation
+    x, y, z = vector
+    return (
+        (a * x + b * y + c * z) % prime,
+        (d * x + e * y + f * z) % prime,
+        (g * x + h * y + i * z) % prime,
     )
 
 

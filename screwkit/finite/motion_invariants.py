@@ -20,6 +20,10 @@ Closing to 1e-12 leaves about 1e-9 near singular postures; what is no invariant 
 far more on a walk of some radians."""
 
 
+VISIBLE = 1e-2
+"""Least size of a way whose straightness says anything, in the same lengths."""
+
+
 def motion_in_words(displacements: Array, tolerance: float = EXACT) -> str:
     """The smallest of the usual kinds of motion that holds all displacements.
 
@@ -56,6 +60,26 @@ def motion_in_words(displacements: Array, tolerance: float = EXACT) -> str:
             return "screw motion about a fixed axis"
         return "rotation about and translation along a fixed axis"
     return "Schönflies" if slides else "planar"
+
+
+def runs_straight(displacements: Array, points: Array, tolerance: float) -> bool:
+    """Whether points of a body all run along straight lines, by the same way.
+
+    Args:
+        displacements: Of the body from one posture, shape (number, 4, 4), in lengths of
+            the mechanism's own size.
+        points: Where they are at that posture, shape (points, 3).
+        tolerance: Largest distance from the line.
+    """
+    turned, shifts = displacements[:, :3, :3] - np.eye(3), displacements[:, None, :3, 3]
+    ways = np.einsum("nij,pj->npi", turned, points) + shifts
+    if np.abs(ways - ways[:, :1]).max(initial=0.0) > tolerance:
+        return False
+    way = ways[:, 0] - ways[:, 0].mean(axis=0)
+    _, sizes, lines = np.linalg.svd(way, full_matrices=False)
+    if sizes[0] < np.sqrt(len(way)) * VISIBLE:
+        return False
+    return bool(np.abs(way - np.outer(way @ lines[0], lines[0])).max() <= tolerance)
 
 
 def _translation(shifts: Array, tolerance: float) -> str:

@@ -157,9 +157,20 @@ def _of_real_forms(block: ChainGraph, real: Sequence[Matrix]) -> Proved | None:
 _SHAKY = f"no joint rates keep the loops closed to second order: {_ISOLATED}"
 
 
-def second_order_bound(block: ChainGraph) -> int:
-    """Dimension of the rates that second order allows, or an upper bound of it."""
-    if not 0 < block.mobility <= LARGEST_FORM:
-        return block.mobility
+def bound_by_order(block: ChainGraph) -> tuple[int, int]:
+    """What no motion of a block exceeds, and the order that shows it; 0 where none.
+
+    To second order the dimension of the cone of rates; where every rate is good to
+    second order, one less than all of them if a generic motion fails at a higher one.
+    """
+    mobility = block.mobility
+    if not 0 < mobility <= LARGEST_FORM:
+        return mobility, 0
     forms = second_order_forms(block)
-    return cone_dimension(forms, block.mobility, block.prime)
+    bound = cone_dimension(forms, mobility, block.prime)
+    if bound < mobility:
+        return bound, 2
+    if block.width > LARGEST_FOR_ORDERS:
+        return mobility, 0
+    order = continuation(block).fails_at
+    return (mobility, 0) if order is None else (mobility - 1, order)

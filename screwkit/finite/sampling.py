@@ -5,10 +5,12 @@ from __future__ import annotations
 import random
 
 from screwkit.errors import UndecidedError, UnknownNameError
-from screwkit.finite.finite_motion import FiniteMotion, finite_motion
-from screwkit.finite.posture_model import posture_model
+from screwkit.finite.finite_motion import FiniteMotion
+from screwkit.finite.idle_freedoms import idle_freedoms
+from screwkit.finite.idle_samples import finite_motion_with_idle, idle_shares
+from screwkit.finite.posture_model import PostureModel, posture_model
 from screwkit.kinematics.loops import ring_at
-from screwkit.kinematics.placement import why_tied
+from screwkit.kinematics.network import Motion
 from screwkit.mechanism.model import Mechanism
 
 LARGEST = 150
@@ -18,26 +20,37 @@ SPREAD = 0.2
 """How far from the values of the file a generic posture is looked for, relatively."""
 
 
-def sampled_motion(mechanism: Mechanism, *, generic: bool = False) -> FiniteMotion:
+def sampled_motion(at: Motion, *, generic: bool = False) -> FiniteMotion:
     """The finite motions around the posture of a file.
 
     Args:
-        mechanism: Whose loops are closed at the posture.
+        at: The motion of a mechanism whose loops are closed at the posture.
         generic: Take random values for its symbols, near those of the file where it
             gives them.
     """
-    freedoms = sum(len(joint.variables) for joint in mechanism.joints)
-    if freedoms > LARGEST:
-        return _open(f"{freedoms} freedoms are too many to sample")
+    network = at.network
+    mechanism = network.mechanism
+    if len(network.labels) > LARGEST:
+        return _open(f"{len(network.labels)} freedoms are too many to sample")
     try:
         values = _spread(mechanism) if generic else {}
-        if mechanism.geometry == "mdh" and not why_tied(mechanism):
+        if mechanism.geometry == "mdh" and not network.tied:
             values |= _anywhere(mechanism)
-        return finite_motion(posture_model(mechanism, values))
+        model = posture_model(mechanism, values)
+        return finite_motion_with_idle(model, _idle(at, model))
     except UnknownNameError:
         return _open("symbols without values leave no posture to sample at")
     except UndecidedError as error:
         return _open(str(error))
+
+
+def _idle(at: Motion, model: PostureModel) -> tuple[str, ...]:
+    """Idle freedoms to hold; none where whole postures on the motion will be wanted."""
+    mechanism = at.network.mechanism
+    if at.network.tied:
+        return ()
+    ends = mechanism.base, mechanism.platform
+    return idle_freedoms(at, ends, idle_shares(model))
 
 
 def _open(reason: str) -> FiniteMotion:

@@ -20,6 +20,7 @@ from screwkit.results.mobility import (
     Connectivity,
     FullCycle,
     Mobility,
+    MotionBranch,
     Redundancy,
 )
 
@@ -102,7 +103,7 @@ def branch_blocks(answer: FullCycle, *, captioned: bool = False) -> tuple[Block,
                 words(str(i)),
                 words(counted(branch.mobility, "freedom")),
                 words(branch.finite_type or branch.motion_type),
-                prose(branch.motion),
+                prose(_motion(branch)),
                 words(str(branch.redundant_constraints)),
             )
         )
@@ -115,6 +116,14 @@ def branch_blocks(answer: FullCycle, *, captioned: bool = False) -> tuple[Block,
     )
     head = "branches of finite motion through this posture"
     return _shown(head, Table(columns, tuple(rows)), captioned=captioned)
+
+
+def _motion(branch: MotionBranch) -> str:
+    """The motion in words, with the joints that run straight."""
+    if not branch.straight:
+        return branch.motion
+    straight = f"{', '.join(branch.straight)} on a straight line"
+    return ", ".join(filter(None, (branch.motion, straight)))
 
 
 def connectivity_blocks(

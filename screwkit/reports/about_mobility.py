@@ -242,7 +242,20 @@ def full_cycle(whole: Mobility) -> str:
     if len(mobilities) > 1:
         branches = ", ".join(map(str, mobilities))
         return f"branches of mobility {branches} meet at this posture{because}{how}"
-    return f"{_finite(whole, mobilities[0])}{_along(whole)}{because}{how}"
+    what = f"{_finite(whole, mobilities[0])}{_along(whole)}{because}{how}"
+    return f"{what}{_on_a_line(whole)}"
+
+
+def _on_a_line(whole: Mobility) -> str:
+    """Which joints of the platform run straight on the one branch there is."""
+    branches = whole.full_cycle.branches
+    if len(branches) != 1 or not branches[0].straight:
+        return ""
+    *others, last = branches[0].straight
+    joints = f"{', '.join(others)} and {last}" if others else last
+    keeps = "keep" if others else "keeps"
+    name = platform_called(whole.platform_name)
+    return f"; on a walk along it {joints} of {name} {keeps} to a straight line"
 
 
 def _finite(whole: Mobility, dimension: int) -> str:

@@ -67,6 +67,7 @@ class MotionBranch:
         starts: How many of the samples fell on it.
         modes: How many branches look like this one from outside but differ in the
             joints that move.
+        straight: Joints of the platform that run along a straight line though it turns.
     """
 
     mobility: int
@@ -79,6 +80,7 @@ class MotionBranch:
     starts: int = 0
     modes: int = 1
     finite_type: str = ""
+    straight: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -104,3 +104,26 @@ def frame(
 
 def _vector(values: Vector) -> str:
     return "[" + ", ".join(f'"{value}"' for value in values) + "]"
+
+
+def doubled_contacts(stages: int) -> Network:
+    """Sliders at right angles with rods between them, each rod at its dead point.
+
+    A slider that has gone t along its rail draws the next one back by 1 − √(1 − t²),
+    t²/2 to first order; the last rod is pinned to the ground.
+    """
+    rails = [(1, 0, 0), (0, 1, 0)]
+    joints = [slider("s0", "ground", "b0", rails[0])]
+    corner = (0, 0, 0)
+    for k in range(1, stages + 1):
+        across = rails[k % 2]
+        end = (corner[0] + across[0], corner[1] + across[1], 0)
+        last = "ground" if k == stages else f"b{k}"
+        joints += [
+            hinge(f"u{k}", f"b{k - 1}", f"rod{k}", corner),
+            hinge(f"v{k}", f"rod{k}", last, end),
+        ]
+        if k < stages:
+            joints.append(slider(f"s{k}", "ground", f"b{k}", across))
+        corner = end
+    return network(*joints, platform="b0")

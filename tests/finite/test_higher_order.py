@@ -5,7 +5,15 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from finite.linkages import flat_ring, frame, hinge, network, ring, slider
+from finite.linkages import (
+    doubled_contacts,
+    flat_ring,
+    frame,
+    hinge,
+    network,
+    ring,
+    slider,
+)
 
 from screwkit.finite.chain_graph import ChainGraph, chain_graph
 from screwkit.finite.higher_order import (
@@ -147,30 +155,9 @@ def test_forms_vanish_on_the_branches_of_a_folded_parallelogram() -> None:
 def test_cones(
     forms: list[tuple[tuple[int, ...], ...]], variables: int, dimension: int
 ) -> None:
-    assert cone_dimension(forms, variables, PRIME) == dimension
-
-
-def doubled_contacts(stages: int) -> Network:
-    """Sliders at right angles with rods between them, each rod at its dead point.
-
-    A slider that has gone t along its rail draws the next one back by 1 − √(1 − t²),
-    t²/2 to first order; the last rod is pinned to the ground.
-    """
-    rails = [(1, 0, 0), (0, 1, 0)]
-    joints = [slider("s0", "ground", "b0", rails[0])]
-    corner = (0, 0, 0)
-    for k in range(1, stages + 1):
-        across = rails[k % 2]
-        end = (corner[0] + across[0], corner[1] + across[1], 0)
-        last = "ground" if k == stages else f"b{k}"
-        joints += [
-            hinge(f"u{k}", f"b{k - 1}", f"rod{k}", corner),
-            hinge(f"v{k}", f"rod{k}", last, end),
-        ]
-        if k < stages:
-            joints.append(slider(f"s{k}", "ground", f"b{k}", across))
-        corner = end
-    return network(*joints, platform="b0")
+    assert cone_dimension(tuple(forms), variables, PRIME) == dimension
+    repeated = tuple(form for form in forms for _ in range(3))
+    assert cone_dimension(repeated, variables, PRIME) == dimension
 
 
 @pytest.mark.parametrize("stages", [2, 3, 5, 6])

@@ -110,3 +110,13 @@ def test_axes_of_different_length_are_tied_by_their_angle() -> None:
     double = line((0, 0, 2), (1, 2, 0))
     scaled = tuple(-half * x % PRIME for x in double)
     assert len(loop_algebra(((0, line(Z)), (0, scaled)), PRIME)) == 2
+
+
+def test_the_algebra_of_a_loop_is_the_same_wherever_it_is_written_from() -> None:
+    """The entrance with the smallest algebra is found from any of them."""
+    planar = [line(Y, (1, 0, 2)), line(Y, (4, 0, 1)), line(Y, (-1, 0, 5))]
+    inner = tuple((k + 1, screw) for k, screw in enumerate(planar))
+    word = ((0, line(X)), *inner, (0, minus(line(X))))
+    for start in range(len(word)):
+        turned = (*word[start:], *word[:start])
+        assert len(loop_algebra(turned, PRIME)) == 3
