@@ -18,6 +18,7 @@ from itertools import combinations
 
 from screwkit.algebra.branches import (
     Branch,
+    Split,
     is_solvable,
     restricted,
     split,
@@ -197,6 +198,18 @@ def told_apart(branch: Branch, search: Search) -> Branch | None:
     """
     if len(branch.pending) < 2:
         return branch
+    parts = other_parts(branch, search)
+    return None if parts is None else _excluding(branch, parts, search)
+
+
+def other_parts(branch: Branch, search: Search) -> tuple[Branch, ...] | None:
+    """Where the last pending condition holds whatever one of its own unknowns is.
+
+    All its coefficients in that unknown vanish together there.  None where it could not
+    be settled.
+    """
+    if len(branch.pending) < 2:
+        return ()
     last = branch.pending[-1]
     before = without(branch, last)
     others = {u for p in before.pending for u in unknowns(branch.ring, p.value)}
@@ -206,7 +219,7 @@ def told_apart(branch: Branch, search: Search) -> Branch | None:
         inner = Search(search.library, budget=_SETTLING, largest=search.largest)
         spurious = common_zeros(before, coefficients, inner)
         if spurious.complete:
-            return _excluding(branch, spurious.branches, search)
+            return spurious.branches
     return None
 
 
@@ -243,11 +256,24 @@ def _children(
             on_child = replace_steps(branch, parts.solved.steps[len(branch.steps) :])
             remaining = [on_child.value(p) for p in left]
             if _still_open(parts.solved, remaining, search) == []:
-                # The solved part is dense in the zeros of the condition.
-                return [parts.solved]
+                # Of the rest only a part as large is no limit of the solved one.
+                return [parts.solved, *_as_large(branch, parts, search)]
             _descend(branch, [*parts.left, *left], list(nonzero), search)
             return [parts.solved]
     return restricted(branch, condition)
+
+
+def _as_large(branch: Branch, parts: Split, search: Search) -> list[Branch]:
+    """Of the rest that a solved condition leaves out, what is not in its closure.
+
+    All parts of the zeros of one condition have the same dimension [CoxLittleOShea
+    §9.4], so that smaller ones are limits of the solved part.
+    """
+    inner = Search(search.library, budget=_SETTLING, largest=search.largest)
+    rest = common_zeros(branch, parts.left, inner)
+    size = parts.solved.codimension
+    search.unfinished += [b for b in rest.open if b.codimension <= size]
+    return [b for b in rest.branches if b.codimension <= size]
 
 
 def replace_steps(branch: Branch, steps: Sequence[Substitution]) -> Branch:

@@ -1,0 +1,31 @@
+"""A condition that falls apart on another one: every part of its zeros is found."""
+
+from __future__ import annotations
+
+import screwkit as sk
+from screwkit.algebra.decomposition import Search, common_zeros
+from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.parse import parse
+from screwkit.loci.pieces import pieces_of
+
+# D, C and E in line, and B, C and D: all four are in line, or C is at D.
+CONDITIONS = (
+    "d*yc - d*yd + xc*yd - xd*yc",
+    "xb*yc - xb*yd - xc*yb + xc*yd + xd*yb - xd*yc",
+)
+
+
+def test_points_in_line_and_points_that_coincide_are_two_pieces() -> None:
+    assembly = sk.load("five_bar").assembly
+    ring = assembly.common_twists.ring
+    root, library = assembly.root(ring), assembly.library(ring)
+    first, second = (ring.normal(evaluate(parse(t), ring)) for t in CONDITIONS)
+    one = common_zeros(root, [first], Search(library)).branches
+    assert len(one) == 1
+    zeros = common_zeros(one[0], [one[0].value(second)], Search(library))
+    assert zeros.complete
+    pieces = pieces_of(zeros.branches)
+    assert [piece.codimension for piece in pieces] == [2, 2]
+    pairs = (("xc", "xd"), ("yc", "yd"))
+    coincide = {str(ring.symbol(a) - ring.symbol(b)) for a, b in pairs}
+    assert sum({str(e) for e in piece.equations} == coincide for piece in pieces) == 1
