@@ -42,6 +42,7 @@ from screwkit.options import (
     Size,
     Slice,
     SlicePicture,
+    Strata,
     Timeout,
     Turn,
     Variant,
@@ -174,6 +175,7 @@ def singularities(
     certificate: CertificateFile = None,
     slices: Slice = None,
     output: SlicePicture = None,
+    strata: Strata = None,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -192,7 +194,11 @@ def singularities(
 
     Example: screwkit singularities 3rpr_planar --slice x=-4:8 --slice y=-4:8
     -o slice.pdf
+
+    Example: screwkit singularities nao_t14 --strata 2
     """
+    if strata is not None and slices:
+        raise typer.BadParameter("--strata is of the whole loci, not of a slice")
     if certificate is not None and slices:
         raise typer.BadParameter("--certificate is of the whole loci, not of a slice")
     request = request_of(
@@ -201,6 +207,7 @@ def singularities(
         slices=list(slices) if slices else None,
         output=None if output is None else str(output),
         certificate=None if certificate is None else True,
+        strata=strata,
     )
     if certificate is not None:
         from screwkit.delivery import written_certificate  # noqa: PLC0415
@@ -372,6 +379,7 @@ def analyze(
     add: Add = False,
     rank: Rank = None,
     within: Within = None,
+    strata: Strata = None,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -385,4 +393,5 @@ def analyze(
 
     Example: screwkit analyze nao_t14 --json
     """
-    answer(request_of("analyze", locals(), **extras(add, rank, within)))
+    options = extras(add, rank, within)
+    answer(request_of("analyze", locals(), strata=strata, **options))
