@@ -9,7 +9,7 @@ References: [BenHorinShoham2006]; [BenHorinShoham2009].
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal
+from typing import Literal, TypeAlias
 
 from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.decomposition import possible_factors
@@ -21,6 +21,8 @@ from screwkit.loci.brackets import Monomial, shortest_monomials
 from screwkit.loci.pieces import Piece
 from screwkit.loci.superbracket import PlacedPoint, SixLines, six_lines
 from screwkit.results.superbracket import BracketFactor, BracketPoint, Superbracket
+
+Holds: TypeAlias = Literal["never", "exactly", "wider", "there", "elsewhere"]
 
 LETTERS = "abcdefghijkl"
 
@@ -96,9 +98,9 @@ def _vanishes_on(piece: Piece, form: Form, found: SixLines) -> bool:
 
 def _holds(
     assembly: Assembly, found: SixLines, form: Form, met: Sequence[Piece]
-) -> Literal["never", "exactly", "there", "elsewhere"]:
+) -> Holds:
     ring = assembly.common_twists.ring
-    undecided: Literal["there", "elsewhere"] = "there" if met else "elsewhere"
+    undecided: Holds = "there" if met else "elsewhere"
     size = 1
     for group in form.groups:
         size *= sum(max(map(len, found.points[i].coordinates)) for i in group)
@@ -117,7 +119,9 @@ def _holds(
     known = {
         str(primitive(piece.equations[0])) for piece in met if len(piece.equations) == 1
     }
-    return "exactly" if keys <= known else undecided
+    if keys <= known:
+        return "exactly"
+    return "wider" if met else "elsewhere"
 
 
 def _is_special(root: Branch, equation: Polynomial) -> bool:

@@ -40,11 +40,13 @@ class PlacedPoint:
         name: In words.
         coordinates: (x, w) over the ring of all limbs; w is 0 for a direction.
         ideal: Whether it is a direction.
+        arbitrary: Whether another point of its axis would do as well.
     """
 
     name: str
     coordinates: tuple[Polynomial, ...]
     ideal: bool
+    arbitrary: bool = False
 
 
 @dataclass(frozen=True)
@@ -171,6 +173,12 @@ def _candidates(assembly: Assembly) -> Iterator[tuple[PlacedPoint, set[int]]]:
         limbs = {framed.limb_of(label) for label in labels}
         yield replace(point, name=next(alike, place.name)), limbs
     for axis in features.axes:
+        if axis.point is None:
+            continue
+        point = homogeneous(f"a point of axis {axis.joint}", axis.point)
+        same = (n for n in named if _same(n, point, samples))
+        yield next(same, replace(point, arbitrary=True)), {axis.limb}
+    for axis in features.axes:
         direction = ring.without_divisors([*axis.direction, ring.zero])
         name = f"the direction of axis {axis.joint}"
         yield PlacedPoint(name, tuple(direction), ideal=True), {axis.limb}
@@ -198,7 +206,11 @@ def _basis(
 ) -> list[Line] | None:
     """Lines through two points that are reciprocal to these twists and span so much."""
     pairs = sorted(
-        combinations(own, 2), key=lambda pair: sum(points[i].ideal for i in pair)
+        combinations(own, 2),
+        key=lambda pair: (
+            sum(points[i].arbitrary for i in pair),
+            sum(points[i].ideal for i in pair),
+        ),
     )
     chosen: list[Line] = []
     for a, b in pairs:

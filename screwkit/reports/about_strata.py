@@ -34,7 +34,7 @@ def strata_blocks(
     shown: int | None,
 ) -> list[Block]:
     """The section as a terminal shows it; None shows every set."""
-    chosen, notes = _chosen(strata, shown)
+    chosen, notes = _chosen(strata, shown, more=" (--all, --json)")
     title = "TOGETHER   where several of these conditions hold at once"
     blocks: list[Block] = [Heading(words(title), 1, words(_bound(strata)))]
     if chosen:
@@ -62,8 +62,16 @@ def _bound(strata: Strata) -> str:
     return f"up to {count}, codimension up to {strata.deepest}"
 
 
-def _chosen(strata: Strata, shown: int | None) -> tuple[list[Stratum], list[str]]:
-    """The sets that are listed, and what is said of the rest and of all."""
+def _chosen(
+    strata: Strata, shown: int | None, more: str = ""
+) -> tuple[list[Stratum], list[str]]:
+    """The sets that are listed, and what is said of the rest and of all.
+
+    Args:
+        strata: The answer.
+        shown: How many are listed; None lists all.
+        more: Where the others are found.
+    """
     meetings = [one for one in strata.strata if one.around]
     if shown is None:
         listed_ones = list(strata.strata)
@@ -76,12 +84,12 @@ def _chosen(strata: Strata, shown: int | None) -> tuple[list[Stratum], list[str]
     if not meetings:
         notes.append("no two of them meet")
     if hidden:
-        notes.append(f"… {counted(hidden, 'more set')} of this kind (--all, --json)")
+        notes.append(f"… {counted(hidden, 'more set')} of this kind{more}")
     if plain:
         also = "more " if listed_ones else ""
         notes.append(
             f"{counted(plain, f'{also}set')}, where the conditions taken one by one "
-            f"say all there is (--all, --json)"
+            f"say all there is{more}"
         )
     if any(one.holds == "undecided" for one in listed_ones):
         notes.append("?: whether this holds at all postures of the set is undecided")

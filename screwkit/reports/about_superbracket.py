@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from screwkit.reports.blocks import Block, Paragraph, Text, Words, joined, prose, words
 from screwkit.reports.conditions import Numbered
 from screwkit.reports.phrases import capital
 from screwkit.results.superbracket import BracketFactor, Superbracket
+
+_SAID = ("exactly", "wider", "there")
 
 
 def superbracket_blocks(
@@ -20,14 +23,16 @@ def superbracket_blocks(
     lines = " ".join(found.lines)
     called = ", ".join(f"{point.letter} {point.name}" for point in found.points)
     blocks: list[Block] = [
-        Paragraph(words(f"six lines hold it, {lines}: dependent where 0 is"), indent),
+        Paragraph(
+            words(f"six lines hold it, {lines}; dependent where this is 0:"), indent
+        ),
         Paragraph(words(product), indent + 1),
         Paragraph(words(called), indent + 1),
     ]
     blocks += [
         Paragraph(_meaning(factor, entries), indent + 1)
         for factor in found.factors
-        if factor.holds in ("exactly", "there")
+        if factor.holds in _SAID
     ]
     return blocks
 
@@ -47,11 +52,9 @@ def superbracket_section(
     )
     blocks: list[Block] = [Paragraph(words(head))]
     for factor in found.factors:
-        if factor.holds in ("exactly", "there"):
-            first, *rest = _meaning(factor, entries)
-            if isinstance(first, Words):
-                first = Words(capital(first.text))
-            blocks.append(Paragraph((first, *rest, Words("."))))
+        if factor.holds in _SAID:
+            written = replace(factor, words=capital(factor.words))
+            blocks.append(Paragraph((*_meaning(written, entries), Words("."))))
     return blocks
 
 
@@ -61,4 +64,9 @@ def _meaning(factor: BracketFactor, entries: Sequence[Numbered]) -> Text:
     where = joined(numbers, " and ")
     if factor.holds == "exactly":
         return (*prose(factor.words), Words(": exactly "), *where)
-    return (*prose(factor.words), Words(": on all of "), *where, Words(", a wider set"))
+    more = (
+        ", and where another factor of it vanishes"
+        if factor.holds == "wider"
+        else "; undecided whether elsewhere too"
+    )
+    return (*prose(factor.words), Words(": on all of "), *where, Words(more))

@@ -30,14 +30,15 @@ class BracketFactor:
             and a line meet in one point; ``abc ∧ def ∧ ghi ∧ jkl``: four planes do.
         words: The same as a sentence.
         holds: ``never``: it vanishes nowhere; ``exactly``: exactly on the components;
-            ``there``: on all of them, perhaps elsewhere too, which is then merely
-            where lines of a limb coincide or was not decided; ``elsewhere``: on none.
+            ``wider``: on all of them and where another factor of it vanishes, such as
+            where lines of one limb coincide; ``there``: on all of them, it was not
+            decided whether elsewhere; ``elsewhere``: on none of the components.
         components: Numbers, from 0, of the actuation components on which it vanishes.
     """
 
     expression: str
     words: str
-    holds: Literal["never", "exactly", "there", "elsewhere"]
+    holds: Literal["never", "exactly", "wider", "there", "elsewhere"]
     components: tuple[int, ...]
 
 

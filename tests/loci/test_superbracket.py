@@ -166,6 +166,23 @@ def test_factors_are_compared_with_the_components(
     assert {f.components for f in found.factors if f.holds == "exactly"} == exact
 
 
+def test_a_factor_that_says_more_is_told_from_one_that_is_open() -> None:
+    """[abcd] of the arms vanishes where shoulders and wrists are in one plane.
+
+    So they are where both arms are turned alike, and where the left wrist lies on axis
+    6: there the left arm idles with 1 2 3 7 locked, and the object stays.
+    """
+    answer, found = answered("nao_t14")
+    assert found is not None
+    assert answer.actuation is not None
+    (one,) = (f for f in found.factors if f.holds == "wider")
+    assert one.components == (0, 1)
+    assert ("r3*cos(q7) - d3*sin(q7)",) in [c.equations for c in answer.actuation.idle]
+    _, found = answered("3prs")
+    assert found is not None
+    assert [f.holds for f in found.factors] == ["there"]
+
+
 @pytest.mark.parametrize("name", ["gough_6ups", "3rpr_planar", "exechon"])
 def test_nothing_is_claimed_where_no_form_is_known(name: str) -> None:
     _, found = answered(name)
