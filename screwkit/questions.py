@@ -158,6 +158,7 @@ def singularities(
             slice in which these two symbols vary and all others have their values.
         output: Draw the curves of the slice, .pdf, .svg or .png.
         strata: Tell what happens where up to so many components meet; 0 does not.
+            Of the whole loci; a slice has none.
 
     Raises:
         UndecidedError: If a symbol of a slice has no value.

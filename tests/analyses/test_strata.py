@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
 from itertools import combinations
 
@@ -12,10 +12,13 @@ import pytest
 from kinematics.float_loops import FloatLoops, counted
 from loci.numeric import Array, value
 from scipy.optimize import least_squares
+from typer.testing import CliRunner
 
 import screwkit as sk
+from screwkit.commands import app
 from screwkit.reports.article import article
 from screwkit.reports.records import from_json, to_json
+from screwkit.reports.verdict import is_plain_yes
 from screwkit.results.singularities import Component, Singularities
 from screwkit.results.strata import Member, Strata, Stratum
 
@@ -271,6 +274,27 @@ def test_the_article_has_a_table_of_them() -> None:
     written = str(article(analysis))
     assert "Where singularities meet" in written
     assert "table:strata" in written
+
+
+def test_what_is_left_open_is_told_and_makes_the_answer_undecided() -> None:
+    answer, strata = answered("3prs")
+    assert not strata.complete
+    assert "too long to be intersected" in strata.reason
+    assert strata.reason in " ".join(str(answer).split())
+    whole, met = answered("five_bar")
+    assert met.complete
+    assert is_plain_yes(whole)
+    opened = replace(met, complete=False, reason="something is open")
+    assert not is_plain_yes(replace(whole, strata=opened))
+
+
+def test_a_slice_has_no_strata() -> None:
+    ran = CliRunner().invoke(
+        app,
+        ["singularities", "3rpr_planar", "--strata", "2", "--slice", "x=0:1"],
+    )
+    assert ran.exit_code == 2
+    assert "--strata is of the whole loci" in ran.output
 
 
 def flagged(strata: Strata) -> list[Stratum]:
