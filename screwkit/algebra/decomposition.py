@@ -134,8 +134,7 @@ def _descend(
     excluded = list(nonzero)
     for case in choice:
         for child in _children(branch, case, left, excluded, search):
-            step = child.steps[len(branch.steps) :]
-            on_child = replace_steps(child, step)
+            on_child = replace_steps(child, step := child.steps[len(branch.steps) :])
             kept = [on_child.value(p) for p in excluded]
             kept += [s.divisor for s in step if not s.divisor.is_constant()]
             if any(p == 0 for p in kept):
@@ -203,10 +202,9 @@ def told_apart(branch: Branch, search: Search) -> Branch | None:
 
 
 def other_parts(branch: Branch, search: Search) -> tuple[Branch, ...] | None:
-    """Where the last pending condition holds whatever one of its own unknowns is.
+    """Where all coefficients of the last pending condition in an unknown vanish.
 
-    All its coefficients in that unknown vanish together there.  None where it could not
-    be settled.
+    None where it could not be settled.
     """
     if len(branch.pending) < 2:
         return ()
@@ -264,16 +262,18 @@ def _children(
 
 
 def _as_large(branch: Branch, parts: Split, search: Search) -> list[Branch]:
-    """Of the rest that a solved condition leaves out, what is not in its closure.
-
-    All parts of the zeros of one condition have the same dimension [CoxLittleOShea
-    §9.4], so that smaller ones are limits of the solved part.
-    """
+    """Parts of the rest that are no limits of the solved part: those of its size."""
     inner = Search(search.library, budget=_SETTLING, largest=search.largest)
-    rest = common_zeros(branch, parts.left, inner)
     size = parts.solved.codimension
-    search.unfinished += [b for b in rest.open if b.codimension <= size]
-    return [b for b in rest.branches if b.codimension <= size]
+    rest = common_zeros(replace(branch, thorough=True), parts.left, inner)
+    found = [b for b in rest.branches if b.codimension <= size]
+    for b in rest.open:
+        if b.codimension == size and b.points:
+            whole = not any(residue(p, *at) for at in b.points for p in parts.left)
+            found += [b] if whole else []
+        elif b.codimension <= size:
+            search.unfinished.append(b)
+    return found
 
 
 def replace_steps(branch: Branch, steps: Sequence[Substitution]) -> Branch:

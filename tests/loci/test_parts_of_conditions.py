@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from math import sqrt
+
+from loci.numeric import value
+
 import screwkit as sk
 from screwkit.algebra.decomposition import Search, common_zeros
 from screwkit.algebra.evaluation import evaluate
@@ -29,3 +33,17 @@ def test_points_in_line_and_points_that_coincide_are_two_pieces() -> None:
     pairs = (("xc", "xd"), ("yc", "yd"))
     coincide = {str(ring.symbol(a) - ring.symbol(b)) for a, b in pairs}
     assert sum({str(e) for e in piece.equations} == coincide for piece in pieces) == 1
+
+
+def test_what_turns_into_each_other_is_found_three_times() -> None:
+    """The head has three legs alike: so do the sets on which two of them are singular.
+
+    In u and v a third of a turn leads from u = 0 to u = √3 v and to u = -√3 v.
+    """
+    part = sk.singularities(sk.load("sprint_z3")).constraint
+    assert part.complete
+    last = [c.equations[-1] for c in part.components]
+    short = [text for text in last if not set(text) & set("bhz")]
+    for u in (0.0, sqrt(3), -sqrt(3)):
+        on = [t for t in short if abs(value(t, {"u": u, "v": 1.0})) < 1e-12]
+        assert len(on) == 1
