@@ -43,6 +43,7 @@ from screwkit.options import (
     Size,
     Slice,
     SlicePicture,
+    Strata,
     Timeout,
     Turn,
     Variant,
@@ -184,6 +185,7 @@ def singularities(
     output: SlicePicture = None,
     distance: Distant = False,
     length: Length = None,
+    strata: Strata = None,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -206,11 +208,17 @@ def singularities(
     -o slice.pdf
 
     Example: screwkit singularities nao_t14 --distance --at q4=0.3 --at q9=1
+
+    Example: screwkit singularities nao_t14 --strata 2
     """
     others = {"--certificate": certificate, "--slice": slices, "-o": output}
-    refuse_beside_distance(distance, length, {**others, "--all": every})
+    refuse_beside_distance(
+        distance, length, {**others, "--all": every, "--strata": strata}
+    )
     if distance:
         answer(request_of("distance", locals(), length=length))
+    if strata is not None and slices:
+        raise typer.BadParameter("--strata is of the whole loci, not of a slice")
     if certificate is not None and slices:
         raise typer.BadParameter("--certificate is of the whole loci, not of a slice")
     request = request_of(
@@ -219,6 +227,7 @@ def singularities(
         slices=list(slices) if slices else None,
         output=None if output is None else str(output),
         certificate=None if certificate is None else True,
+        strata=strata,
     )
     if certificate is not None:
         from screwkit.delivery import written_certificate  # noqa: PLC0415

@@ -80,6 +80,14 @@ CertificateFile = Annotated[
         help="Write proofs of the lists, for `screwkit verify`.",
     ),
 ]
+Strata = Annotated[
+    int | None,
+    typer.Option(
+        metavar="N",
+        min=1,
+        help="What happens where up to N of the conditions hold together.",
+    ),
+]
 Body = Annotated[
     str | None,
     typer.Option(metavar="LINK", help="The twists of this body instead."),

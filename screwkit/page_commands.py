@@ -23,6 +23,7 @@ from screwkit.options import (
     Rank,
     ReportPlace,
     Setting,
+    Strata,
     Timeout,
     Variant,
     Within,
@@ -37,6 +38,7 @@ def analyze(
     add: Add = False,
     rank: Rank = None,
     within: Within = None,
+    strata: Strata = None,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -50,7 +52,8 @@ def analyze(
 
     Example: screwkit analyze nao_t14 --json
     """
-    answer(request_of("analyze", locals(), **extras(add, rank, within)))
+    options = extras(add, rank, within)
+    answer(request_of("analyze", locals(), strata=strata, **options))
 
 
 @app.command()
@@ -100,6 +103,7 @@ def report(
     add: Add = False,
     rank: Rank = None,
     within: Within = None,
+    strata: Strata = None,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -113,7 +117,8 @@ def report(
 
     Example: screwkit report nao_t14 --format pdf -o report.pdf
     """
-    request = request_of("analyze", locals(), **extras(add, rank, within))
+    options = extras(add, rank, within)
+    request = request_of("analyze", locals(), strata=strata, **options)
     from screwkit.delivery import deliver_report  # noqa: PLC0415
 
     answer(replace(request, deliver=deliver_report(form.value, output)))

@@ -146,6 +146,7 @@ def singularities(
     certificate: bool = False,
     slices: Sequence[str] = (),
     output: str | Path = "",
+    strata: int = 0,
 ) -> Singularities:
     """Limb, constraint and actuation singularities in closed form.
 
@@ -157,6 +158,8 @@ def singularities(
         slices: Two ranges, ``"x=-1:1"`` or ``"x=-1:1:201"``: the answer is about the
             slice in which these two symbols vary and all others have their values.
         output: Draw the curves of the slice, .pdf, .svg or .png.
+        strata: Tell what happens where up to so many components meet; 0 does not.
+            Of the whole loci; a slice has none.
 
     Raises:
         UndecidedError: If a symbol of a slice has no value.
@@ -173,6 +176,11 @@ def singularities(
     _need_exact_posture(case)
     answer = analysis.singularities(case.assembly, progress=progress, finished=finished)
     answer = replace(answer, one_posture=not case.network.has_symbols)
+    if strata:
+        from screwkit.analyses.strata import strata as found  # noqa: PLC0415
+
+        together = found(case.assembly, answer, strata, progress)
+        answer = replace(answer, strata=together)
     if certificate:
         from screwkit.verification import certificate_of  # noqa: PLC0415
 
@@ -284,6 +292,7 @@ def analyze(
     rank: int = 0,
     within: Sequence[str] = (),
     add: bool = False,
+    strata: int = 0,
 ) -> Analysis:
     """All questions; one that cannot be decided does not stop the others.
 
@@ -294,6 +303,7 @@ def analyze(
         rank: As for `schemes`, with ``within`` and ``add``.
         within: Ranges of symbols.
         add: Added actuators.
+        strata: As for `singularities`.
     """
     from screwkit.claims import checked_claims  # noqa: PLC0415
     from screwkit.mechanism.description import description  # noqa: PLC0415
@@ -305,7 +315,7 @@ def analyze(
     asked: dict[str, Callable[..., Any]] = {
         "mobility": mobility,
         "screws": screws,
-        "singularities": singularities,
+        "singularities": partial(singularities, strata=strata),
         "schemes": partial(schemes, rank=rank, within=within, add=add),
         "manipulability": manipulability,
     }

@@ -16,6 +16,7 @@ from dataclasses import replace
 
 from screwkit.algebra.branches import (
     Branch,
+    Split,
     is_solvable,
     restricted,
     split,
@@ -115,8 +116,7 @@ def _descend(
                 _descend(branch, [*terms, *left], excluded, search)
             continue
         for child in _children(branch, case, left, excluded, search):
-            step = child.steps[len(branch.steps) :]
-            on_child = replace_steps(child, step)
+            on_child = replace_steps(child, step := child.steps[len(branch.steps) :])
             kept = [on_child.value(p) for p in excluded]
             kept += [s.divisor for s in step if not s.divisor.is_constant()]
             if any(p == 0 for p in kept):
@@ -210,6 +210,17 @@ def told_apart(branch: Branch, search: Search) -> Branch | None:
     """
     if len(branch.pending) < 2 or search.every_part:
         return branch
+    parts = other_parts(branch, search)
+    return None if parts is None else _excluding(branch, parts, search)
+
+
+def other_parts(branch: Branch, search: Search) -> tuple[Branch, ...] | None:
+    """Where all coefficients of the last pending condition in an unknown vanish.
+
+    None where it could not be settled.
+    """
+    if len(branch.pending) < 2:
+        return ()
     last = branch.pending[-1]
     before = without(branch, last)
     others = {u for p in before.pending for u in unknowns(branch.ring, p.value)}
@@ -218,8 +229,8 @@ def told_apart(branch: Branch, search: Search) -> Branch | None:
         coefficients = coefficients_in(branch.ring, last.value, unknown)
         spurious = common_zeros(before, coefficients, _settling(branch, search))
         if spurious.complete:
-            return _excluding(branch, spurious.branches, search)
-    return _linear_apart(branch, search)
+            return spurious.branches
+    return _beside_a_system(branch, search)
 
 
 def _settling(branch: Branch, search: Search) -> Search:
@@ -228,7 +239,7 @@ def _settling(branch: Branch, search: Search) -> Search:
     return replace(own, skip=lambda part: part.codimension > branch.codimension)
 
 
-def _linear_apart(branch: Branch, search: Search) -> Branch | None:
+def _beside_a_system(branch: Branch, search: Search) -> tuple[Branch, ...] | None:
     """The same where pending conditions determine some symbols together.
 
     Away from the zeros of the determinant they are a graph over the other conditions,
@@ -246,7 +257,7 @@ def _linear_apart(branch: Branch, search: Search) -> Branch | None:
             zeros += [zeros[0] - p.value, zeros[0] + p.value]
         spurious = common_zeros(before, zeros, _settling(branch, search))
         if spurious.complete:
-            return _excluding(branch, spurious.branches, search)
+            return spurious.branches
     return None
 
 
@@ -282,15 +293,27 @@ def _children(
         if parts is not None:
             on_child = replace_steps(branch, parts.solved.steps[len(branch.steps) :])
             remaining = [on_child.value(p) for p in left]
-            if (
-                not search.every_part
-                and _still_open(parts.solved, remaining, search) == []
-            ):
-                # The solved part is dense in the zeros of the condition.
-                return [parts.solved]
+            if _still_open(parts.solved, remaining, search) == []:
+                # Of the rest only a part as large is no limit of the solved one.
+                return [parts.solved, *_as_large(branch, parts, search)]
             _descend(branch, [*parts.left, *left], list(nonzero), search)
             return [parts.solved]
     return restricted(branch, condition)
+
+
+def _as_large(branch: Branch, parts: Split, search: Search) -> list[Branch]:
+    """Parts of the rest that are no limits of the solved part: those of its size."""
+    inner = Search(search.library, budget=_SETTLING, largest=search.largest)
+    size = parts.solved.codimension
+    rest = common_zeros(replace(branch, thorough=True), parts.left, inner)
+    found = [b for b in rest.branches if b.codimension <= size]
+    for b in rest.open:
+        if b.codimension == size and b.points:
+            whole = not any(residue(p, *at) for at in b.points for p in parts.left)
+            found += [b] if whole else []
+        elif b.codimension <= size:
+            search.unfinished.append(b)
+    return found
 
 
 def replace_steps(branch: Branch, steps: Sequence[Substitution]) -> Branch:

@@ -43,7 +43,7 @@ def moved_onto(
         others = [set(unknowns(ring, p)) for p in remaining]
         for position in range(len(remaining)):
             later = set().union(*others[:position], *others[position + 1 :])
-            free = [u for u in others[position] if u not in later]
+            free = sorted(u for u in others[position] if u not in later)
             if free:
                 break
         else:

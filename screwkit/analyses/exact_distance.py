@@ -38,7 +38,8 @@ from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.parse import parse
 from screwkit.algebra.text import expression_text
 from screwkit.mechanism.vanishing import is_negative, is_zero
-from screwkit.results.singularities import Component, Solution
+from screwkit.results.singularities import Component
+from screwkit.results.solution import Solution
 
 
 @dataclass(frozen=True)

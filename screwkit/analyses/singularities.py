@@ -11,6 +11,7 @@ from typing import Any
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.analyses.actuation_parts import actuation_parts
+from screwkit.analyses.superbracket import superbracket
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.loci.actuation import actuation_locus
 from screwkit.loci.canonical import in_known_conditions
@@ -290,7 +291,9 @@ def actuation_singularities(
     """Where, with these joints locked, the platform can move."""
     locus = actuation_locus(assembly, actuated)
     size = assembly.dimension
-    found = [component for _, component in actuation_parts(locus, size)]
+    parts = actuation_parts(locus, size)
+    found = [component for _, component in parts]
+    moving = [piece for piece, component in parts if component.platform_freedom]
     return ActuationSingularities(
         actuated=tuple(actuated),
         admissible=locus.admissible,
@@ -300,4 +303,7 @@ def actuation_singularities(
         idle=tuple(c for c in found if not c.platform_freedom),
         witness=locus.witness,
         reason=locus.reason,
+        superbracket=superbracket(assembly, actuated, moving)
+        if locus.admissible
+        else None,
     )

@@ -88,9 +88,22 @@ def without_contained(pieces: Sequence[Piece]) -> list[Piece]:
     ordered = sorted(pieces, key=lambda piece: piece.codimension)
     kept: list[Piece] = []
     for piece in ordered:
-        if not any(lies_in(piece.branches[0], other) for other in kept):
+        if not any(_is_part(piece, other) for other in kept):
             kept.append(piece)
     return kept
+
+
+def _is_part(piece: Piece, other: Piece) -> bool:
+    """Whether a piece lies in another that is no smaller.
+
+    Equations of a piece may hold on further sets of its size; of two pieces of one size
+    the one is in the other only if sheets of that are in it.
+    """
+    if not lies_in(piece.branches[0], other):
+        return False
+    if piece.codimension > other.codimension:
+        return True
+    return any(lies_in(branch, piece) for branch in other.branches)
 
 
 def told_apart(pieces: Sequence[Piece], known: Sequence[Polynomial]) -> list[Piece]:

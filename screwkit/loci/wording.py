@@ -8,7 +8,7 @@ from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.solve import Solved, solutions
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.loci.pieces import Piece
-from screwkit.results.singularities import Solution
+from screwkit.results.solution import Solution
 
 
 def equations_of(piece: Piece) -> tuple[str, ...]:

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 
 from screwkit.algebra.names import limb_called
 from screwkit.reports.about_slice import slice_blocks
+from screwkit.reports.about_strata import strata_blocks
+from screwkit.reports.about_superbracket import superbracket_blocks
 from screwkit.reports.blocks import (
     Block,
     Heading,
@@ -66,6 +68,8 @@ def singularities_blocks(
     blocks += constraint_blocks(answer.constraint, numbering, shown=shown)
     if answer.actuation is not None:
         blocks += actuation_blocks(answer.actuation, numbering, shown=shown)
+    if answer.strata is not None:
+        blocks += strata_blocks(answer, answer.strata, numbering, shown=shown)
     if answer.assumptions:
         taken = joined([math(text) for text in answer.assumptions])
         blocks.append(Paragraph((Words("assumed: "), *taken)))
@@ -186,6 +190,7 @@ def actuation_blocks(
         return [*blocks, Paragraph(prose(f"not admissible, it always can{why}"), 2)]
     blocks += listing(numbering.actuation, numbering, shown)
     blocks.append(Paragraph(prose(verdict(part, none=not numbering.actuation)), 2))
+    blocks += superbracket_blocks(part.superbracket, numbering.actuation)
     if part.idle:
         ordered = sorted(part.idle, key=lambda component: component.codimension)
         where = joined([idle_place(component) for component in ordered[:shown]], ";  ")

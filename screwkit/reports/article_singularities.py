@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from screwkit.algebra.names import counted, limb_called
 from screwkit.reports.about_singularities import idle_place, meeting, verdict
+from screwkit.reports.about_strata import strata_section
+from screwkit.reports.about_superbracket import superbracket_section
 from screwkit.reports.blocks import (
     Block,
     Column,
@@ -75,6 +77,8 @@ def singularities_sections(answer: Singularities) -> tuple[Block, ...]:
     blocks += _constraint(answer.constraint, numbering)
     if answer.actuation is not None:
         blocks += _actuation(answer.actuation, numbering)
+    if answer.strata is not None:
+        blocks += strata_section(answer, answer.strata, numbering)
     return tuple(blocks)
 
 
@@ -154,6 +158,7 @@ def _actuation(part: ActuationSingularities, numbering: Numbering) -> list[Block
         )
     text = _sentence(verdict(part, none=not numbering.actuation))
     blocks.append(Paragraph(prose(text)))
+    blocks += superbracket_section(part.superbracket, numbering.actuation)
     if part.idle:
         where = joined([idle_place(component) for component in part.idle], "; ")
         blocks.append(

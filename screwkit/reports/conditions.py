@@ -24,7 +24,8 @@ from screwkit.reports.blocks import (
     words,
 )
 from screwkit.reports.phrases import platform_called
-from screwkit.results.singularities import Component, Singularities, Solution
+from screwkit.results.singularities import Component, Singularities
+from screwkit.results.solution import Solution
 
 _LETTERS = re.compile(r"[A-Za-z_]\w*")
 _SHORT: Final = 36

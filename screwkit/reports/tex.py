@@ -47,6 +47,7 @@ _SIGNS: Final = {
     "⊕": r"\oplus ",
     "∈": r"\in ",
     "∞": r"\infty ",
+    "∧": r"\wedge ",
     "≤": r"\leq ",
     "≥": r"\geq ",
     "≠": r"\neq ",

@@ -34,7 +34,8 @@ def is_plain_yes(result: Any) -> bool:
             locked = result.actuation
             fine = locked is None or (locked.admissible and locked.complete)
             limbs = all(limb.complete for limb in result.limb)
-            return fine and limbs and result.constraint.complete
+            met = result.strata is None or result.strata.complete
+            return fine and limbs and result.constraint.complete and met
         case Verification():
             return result.accepted
         case Screws():

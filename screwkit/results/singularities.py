@@ -6,22 +6,9 @@ from dataclasses import dataclass
 
 from screwkit.results.shown import Shown
 from screwkit.results.slice import SingularSlice
-
-
-@dataclass(frozen=True)
-class Solution:
-    """An equation solved for one variable.
-
-    Attributes:
-        variable: A joint variable, a free symbol or a parameter.
-        values: All branches; angles in (−π, π] where that can be decided.
-        modulo: The shortest way to write the branches of an angle: ``pi`` when the
-            values differ by π, else ``2*pi``; empty for lengths.
-    """
-
-    variable: str
-    values: tuple[str, ...]
-    modulo: str = ""
+from screwkit.results.solution import Solution
+from screwkit.results.strata import Strata
+from screwkit.results.superbracket import Superbracket
 
 
 @dataclass(frozen=True)
@@ -106,6 +93,8 @@ class ActuationSingularities:
         admissible: Whether locking them stops the platform for generic values.
         idle: Where only a limb moves with the actuated joints locked.
         witness: For an inadmissible scheme: why.
+        superbracket: Where six lines hold the platform: when they are dependent, by the
+            points that they pass through.
     """
 
     actuated: tuple[str, ...]
@@ -116,6 +105,7 @@ class ActuationSingularities:
     idle: tuple[Component, ...] = ()
     witness: str = ""
     reason: str = ""
+    superbracket: Superbracket | None = None
 
 
 @dataclass(frozen=True, repr=False)
@@ -132,6 +122,7 @@ class Singularities(Shown):
             none was asked for.
         slice: What was drawn of a slice of two symbols; the answer is then about the
             slice.
+        strata: What happens where components meet; None where it was not asked for.
     """
 
     case: str
@@ -144,3 +135,4 @@ class Singularities(Shown):
     one_posture: bool = False
     certificate: str | None = None
     slice: SingularSlice | None = None
+    strata: Strata | None = None

@@ -41,8 +41,8 @@ from screwkit.results.singularities import (
     Intersection,
     LimbSingularities,
     Singularities,
-    Solution,
 )
+from screwkit.results.solution import Solution
 from screwkit.results.undecided import Undecided
 
 CASE = "nao_t14"

@@ -36,7 +36,8 @@ from screwkit.reports.blocks import (
 from screwkit.reports.printing import for_terminal, printable, strong
 from screwkit.reports.sections import CaseEntry, CaseList, answer_blocks
 from screwkit.reports.text import Page, inline, render
-from screwkit.results.singularities import Component, Solution
+from screwkit.results.singularities import Component
+from screwkit.results.solution import Solution
 
 EVERY = [
     samples.MOBILITY,

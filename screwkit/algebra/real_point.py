@@ -1,0 +1,337 @@
+"""A real common zero of equations, proved to exist by Newton's method in balls.
+
+Newton's method in floating point finds a candidate.  As many generators as there are
+equations are kept unknown and the others are frozen at the numbers they have; if the
+interval Newton step maps a box around the candidate into its inside, the box holds
+exactly one real zero, and the derivatives are independent there.
+
+References: [MooreKearfottCloud2009] §8.1 (interval Newton).
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from flint import arb, arb_mat, ctx, fmpz_poly
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+
+STARTS = 12
+"""Random starts."""
+
+STEPS = 60
+"""Newton steps from each."""
+
+_BITS = 128
+_RADIUS = 2.0**-40
+_CLOSE = 1e-11
+_APART = 1e-6
+
+_Monomials = list[tuple[Any, list[tuple[int, int]]]]
+
+
+@dataclass(frozen=True)
+class RealPoint:
+    """A real point in numbers.
+
+    Attributes:
+        turns: Values of the basis angles, in the order of the basis.
+        numbers: Values of the symbols.
+    """
+
+    turns: tuple[float, ...]
+    numbers: Mapping[str, float]
+
+
+def real_point(
+    branch: Branch,
+    given: Mapping[str, Fraction],
+    seed: int,
+    apart: Sequence[Sequence[Polynomial]] = (),
+) -> RealPoint | None:
+    """A real point of a branch near which its conditions are independent.
+
+    Args:
+        branch: Its conditions are equations of the whole ring.
+        given: Values of symbols that are held, exactly.
+        seed: Of the random starts.
+        apart: Equations of sets that the point must not lie on.
+
+    Returns:
+        None where none was found; that proves nothing.
+    """
+    ring = branch.ring
+    if ring.constant_angles:
+        return None
+    system = _System(branch, given)
+    source = random.Random(seed)
+    for _ in range(STARTS):
+        start = _start(ring, given, source)
+        found = None if start is None else system.solved_from(start)
+        if found is not None:
+            values = system.proved(found)
+            if values is not None and not system.lies_on(values, apart):
+                return _named(ring, values)
+    return None
+
+
+class _System:
+    """The conditions of a branch with the relations of its ring."""
+
+    def __init__(self, branch: Branch, given: Mapping[str, Fraction]) -> None:
+        ring = branch.ring
+        self._ring = ring
+        gens = ring.context.gens()
+        equations = list(branch.conditions)
+        for k in range(len(ring.basis)):
+            sine, cosine = gens[ring.sine_index(k)], gens[ring.cosine_index(k)]
+            equations.append(sine**2 + cosine**2 - 1)
+        self._roots: list[int] = []
+        self._constants: dict[int, float] = {}
+        for index, inside in ring.algebraic_relations():
+            if isinstance(inside, tuple):
+                terms = (a * gens[index] ** k for k, a in enumerate(inside))
+                equations.append(sum(terms, ring.zero))
+                self._constants[index] = _largest_root(inside)
+            else:
+                equations.append(gens[index] ** 2 - inside)
+                self._roots.append(index)
+        for name, divisor in ring.divisors_of.items():
+            equations.append(ring.generator(name) * divisor - 1)
+        places = dict(zip(ring.symbols, ring.symbol_indices(), strict=True))
+        held = {places[name] for name in given if name in places}
+        self._unknown = [i for i in range(len(ring.names)) if i not in held]
+        self._equations = [_monomials(e) for e in equations]
+        self._derivatives = [
+            {i: _monomials(e.derivative(i)) for i in self._unknown if e.degrees()[i]}
+            for e in equations
+        ]
+        kept = {str(sheet) for sheet in branch.sheets}
+        self._checks = [_monomials(e) for e in branch.equations(kept)]
+        # A condition was made free of divisors: where they vanish it says nothing.
+        self._divisors = [
+            _monomials(step.divisor)
+            for step in branch.steps
+            if not step.divisor.is_constant()
+        ]
+
+    def solved_from(self, start: Sequence[float]) -> list[float] | None:
+        """Newton's steps of least length until the residual is at rounding."""
+        values = list(start)
+        for _ in range(STEPS):
+            residuals = [_value(e, values) for e in self._equations]
+            largest = max(map(abs, residuals))
+            if not math.isfinite(largest) or largest > 1e9:
+                return None
+            if largest < _CLOSE:
+                return values
+            step = _shortest_step(self._jacobian(values), residuals)
+            if step is None:
+                return None
+            length = max(map(abs, step), default=0.0)
+            scale = min(1.0, 1.0 / length) if length else 1.0
+            for index, change in zip(self._unknown, step, strict=True):
+                values[index] -= scale * change
+        return None
+
+    def _jacobian(self, values: Sequence[float]) -> list[list[float]]:
+        return [
+            [_value(row[i], values) if i in row else 0.0 for i in self._unknown]
+            for row in self._derivatives
+        ]
+
+    def proved(self, candidate: Sequence[float]) -> list[Any] | None:
+        """Balls around a real zero; None where the step does not contract."""
+        chosen = _pivots(self._jacobian(candidate))
+        if chosen is None:
+            return None
+        free = [self._unknown[c] for c in chosen]
+        before = ctx.prec
+        ctx.prec = _BITS
+        try:
+            return self._contracted(candidate, free)
+        except ZeroDivisionError:
+            return None
+        finally:
+            ctx.prec = before
+
+    def lies_on(
+        self, values: Sequence[Any], sets: Sequence[Sequence[Polynomial]]
+    ) -> bool:
+        """Whether it may lie on one of these sets."""
+        return any(
+            all(abs(float(_value(_monomials(e), values))) < _APART for e in equations)
+            for equations in sets
+        )
+
+    def _contracted(
+        self, candidate: Sequence[float], free: Sequence[int]
+    ) -> list[Any] | None:
+        middle = [arb(value) for value in candidate]
+        for _ in range(4):
+            for i, change in zip(free, self._step(middle, middle, free), strict=True):
+                middle[i] = (middle[i] - change).mid()
+        box = list(middle)
+        for i in free:
+            box[i] = arb(middle[i], _RADIUS)
+        found = list(middle)
+        for i, change in zip(free, self._step(middle, box, free), strict=True):
+            found[i] = middle[i] - change
+            if not box[i].contains_interior(found[i]):
+                return None
+        if any(not found[i] > 0 for i in self._roots):
+            return None
+        if any(abs(float(found[i]) - x) > _CLOSE for i, x in self._constants.items()):
+            return None
+        if any(abs(float(_value(d, found))) < _APART for d in self._divisors):
+            return None
+        if any(_value(d, found).contains(0) for d in self._divisors):
+            return None
+        if all(_value(check, found).contains(0) for check in self._checks):
+            return found
+        return None
+
+    def _step(
+        self, at: Sequence[Any], over: Sequence[Any], free: Sequence[int]
+    ) -> list[Any]:
+        """Of Newton: residuals at a point, derivatives over a box."""
+        zero = arb(0)
+        rows = [
+            [_value(row[i], over) if i in row else zero for i in free]
+            for row in self._derivatives
+        ]
+        residuals = [[_value(e, at)] for e in self._equations]
+        return [*arb_mat(rows).solve(arb_mat(residuals)).entries()]
+
+
+def _monomials(polynomial: Polynomial) -> _Monomials:
+    return [
+        (coefficient, [(i, int(e)) for i, e in enumerate(exponents) if e])
+        for exponents, coefficient in polynomial.to_dict().items()
+    ]
+
+
+def _value(monomials: _Monomials, values: Sequence[Any]) -> Any:
+    """In floats or in balls, whatever the values are."""
+    balls = bool(values) and isinstance(values[0], arb)
+    total = arb(0) if balls else 0.0
+    for coefficient, powers in monomials:
+        term = arb(coefficient) if balls else int(coefficient.p) / int(coefficient.q)
+        for index, power in powers:
+            for _ in range(power):  # a power of a ball around 0 would be lost
+                term *= values[index]
+        total += term
+    return total
+
+
+def _start(
+    ring: TrigonometricRing, given: Mapping[str, Fraction], source: random.Random
+) -> list[float] | None:
+    """Random values of all generators that satisfy the ring's own relations."""
+    values = [0.0] * len(ring.names)
+    for k in range(len(ring.basis)):
+        turn = source.uniform(-math.pi, math.pi)
+        values[ring.sine_index(k)] = math.sin(turn)
+        values[ring.cosine_index(k)] = math.cos(turn)
+    for name, index in zip(ring.symbols, ring.symbol_indices(), strict=True):
+        exact = given.get(name)
+        values[index] = source.uniform(-1.5, 1.5) if exact is None else float(exact)
+    for index, inside in ring.algebraic_relations():
+        if isinstance(inside, tuple):
+            values[index] = _largest_root(inside)
+            continue
+        square = _value(_monomials(inside), values)
+        if square <= 0:
+            return None
+        values[index] = math.sqrt(square)
+    for name, divisor in ring.divisors_of.items():
+        below = _value(_monomials(divisor), values)
+        if not below:
+            return None
+        values[ring.names.index(name)] = 1 / below
+    return values
+
+
+def _largest_root(coefficients: Sequence[int]) -> float:
+    """√p and 2cos(π/n) are the largest of their conjugates."""
+    roots = fmpz_poly(list(coefficients)).complex_roots()
+    return max(float(root.real) for root, _ in roots if root.imag.contains(0))
+
+
+def _shortest_step(
+    jacobian: Sequence[Sequence[float]], residuals: Sequence[float]
+) -> list[float] | None:
+    """The least x with J x = r, by (J Jᵀ) y = r."""
+    square = [[math.fsum(map(_times, a, b)) for b in jacobian] for a in jacobian]
+    for i, row in enumerate(square):
+        row[i] += 1e-14
+    solved = _eliminated(square, residuals)
+    if solved is None:
+        return None
+    columns = zip(*jacobian, strict=True)
+    return [math.fsum(map(_times, column, solved)) for column in columns]
+
+
+def _times(a: float, b: float) -> float:
+    return a * b
+
+
+def _eliminated(
+    matrix: Sequence[Sequence[float]], right: Sequence[float]
+) -> list[float] | None:
+    rows = [[*row, r] for row, r in zip(matrix, right, strict=True)]
+    for k in range(len(rows)):
+        best = max(range(k, len(rows)), key=lambda i: abs(rows[i][k]))
+        rows[k], rows[best] = rows[best], rows[k]
+        if not rows[k][k]:
+            return None
+        for i in range(len(rows)):
+            if i != k and rows[i][k]:
+                factor = rows[i][k] / rows[k][k]
+                rows[i] = [
+                    a - factor * b for a, b in zip(rows[i], rows[k], strict=True)
+                ]
+    return [row[-1] / row[k] for k, row in enumerate(rows)]
+
+
+def _pivots(jacobian: Sequence[Sequence[float]]) -> list[int] | None:
+    """Columns that make the matrix square and well conditioned, by full pivoting."""
+    rows = [list(row) for row in jacobian]
+    chosen: list[int] = []
+    while rows:
+        size, r, c = max(_sized(rows))
+        if size < 1e-7:
+            return None
+        chosen.append(c)
+        pivot = rows.pop(r)
+        rows = [
+            [a - row[c] / pivot[c] * b for a, b in zip(row, pivot, strict=True)]
+            for row in rows
+        ]
+    return chosen
+
+
+def _sized(rows: Sequence[Sequence[float]]) -> Iterator[tuple[float, int, int]]:
+    for r, row in enumerate(rows):
+        for c, value in enumerate(row):
+            yield abs(value), r, c
+
+
+def _named(ring: TrigonometricRing, values: Sequence[Any]) -> RealPoint:
+    turns = tuple(
+        math.atan2(
+            float(values[ring.sine_index(k)]), float(values[ring.cosine_index(k)])
+        )
+        for k in range(len(ring.basis))
+    )
+    numbers = {
+        name: float(values[index])
+        for name, index in zip(ring.symbols, ring.symbol_indices(), strict=True)
+    }
+    return RealPoint(turns, numbers)
