@@ -15,6 +15,7 @@ from screwkit.algebra.half_angle import Form, HalfAngles
 from screwkit.algebra.irreducible import Shape, is_irreducible, shape
 from screwkit.algebra.points import residue
 from screwkit.algebra.restrictions import Layout, Probe, Restrictions
+from screwkit.algebra.scaled_symbols import scaled
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
 _SHORT = 12  # terms; factored as they stand before anything else
@@ -78,6 +79,7 @@ class FactorLibrary:
         self._pieces: dict[str, list[tuple[Factor, int]]] = {}
         self._known: list[_Known] = []
         self._residues: dict[str, tuple[int, ...]] = {}
+        self._rational: FactorLibrary | None = None
         for sine, cosine in zip(ring.sines, ring.cosines, strict=True):
             self.irreducible(sine)
             self.irreducible(cosine)
@@ -243,6 +245,9 @@ class FactorLibrary:
         if number != 1:
             rest = self.split(primitive(polynomial / number), known)
             return collected([*self.split(number), *rest])
+        parts = self._in_scaled_symbols(polynomial)
+        if parts is not None:
+            return parts
         short = len(polynomial) <= _SHORT
         pieces = polynomial.factor()[1] if short else []
         if len(pieces) > 1 or (pieces and pieces[0][1] > 1):
@@ -267,6 +272,28 @@ class FactorLibrary:
             )
         angles = self._halves.degrees(polynomial)
         return [(self._final(form), m) for form, m in self._halved(polynomial, angles)]
+
+    def _in_scaled_symbols(
+        self, polynomial: Polynomial
+    ) -> list[tuple[Factor, int]] | None:
+        """Factors that show when some symbols are counted in units of a root."""
+        form = scaled(self.ring, self._layout, polynomial)
+        if form is None or form.polynomial.is_constant():
+            return None
+        if self._rational is None:
+            self._rational = FactorLibrary(self.ring)
+        inner = self._rational.factored(form.polynomial)
+        if any(part.form is not None for part, _ in inner):
+            return None
+        found, roots = [], int(form.odd)
+        for part, multiplicity in inner:
+            factor, odd = form.unscaled(part.polynomial)
+            found.append((self.irreducible(factor, part.certified), multiplicity))
+            roots += odd * multiplicity
+        if roots & 1:
+            root = self.ring.context.gens()[form.root]
+            found.append((self.irreducible(root), 1))
+        return collected(found)
 
     def _parted(
         self, polynomial: Polynomial, found: Shape
