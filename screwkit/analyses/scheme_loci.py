@@ -16,7 +16,7 @@ from screwkit.algebra.trigonometric import primitive
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.limb_extensors import Content, Minor
 from screwkit.loci.meanings import Meanings
-from screwkit.loci.passive import PassiveSystem, RankTable
+from screwkit.loci.passive import PassiveSystem, Ranks
 from screwkit.loci.pieces import Piece
 from screwkit.loci.witness import Witnesses
 from screwkit.results.schemes import LocusFactor
@@ -44,7 +44,7 @@ class LociOfSchemes:
     counts: Counter[str] = field(default_factory=Counter)
     seen: dict[str, Factor] = field(default_factory=dict)
     left_out: set[str] = field(default_factory=set)
-    tables: dict[str, list[RankTable]] = field(default_factory=dict)
+    tables: dict[str, list[Ranks]] = field(default_factory=dict)
     vanishing: dict[str, bool] = field(default_factory=dict)
     factored: dict[str, Content] = field(default_factory=dict)
 
@@ -136,7 +136,7 @@ class LociOfSchemes:
         rank = len(passive) - mobility
         return any(table.loop_rank(passive) < rank for table in tables)
 
-    def _tables_on(self, f: Factor) -> list[RankTable]:
+    def _tables_on(self, f: Factor) -> list[Ranks]:
         """Ranks at exact points on a factor."""
         if f.key not in self.tables:
             branches = restricted(self.root, f.equations[0], f.equations[1:])

@@ -17,9 +17,10 @@ from screwkit.analyses.redundancy import redundancy
 from screwkit.analyses.scheme_loci import LociOfSchemes
 from screwkit.errors import TooLargeError, UnknownNameError
 from screwkit.kinematics.assembly import Assembly
+from screwkit.kinematics.loop_state import LoopState
 from screwkit.kinematics.mirror import mirrored_joints
 from screwkit.loci.actuation import passive_joints
-from screwkit.loci.passive import PassiveState, PassiveSystem
+from screwkit.loci.passive import PassiveSystem
 from screwkit.progress import Progress, silent
 from screwkit.results.schemes import (
     Balanced,
@@ -165,9 +166,7 @@ def _answer(
     )
 
 
-def _by_rank(
-    assembly: Assembly, actuated: tuple[str, ...], state: PassiveState
-) -> Scheme:
+def _by_rank(assembly: Assembly, actuated: tuple[str, ...], state: LoopState) -> Scheme:
     """A scheme of which only the rank is known."""
     return Scheme(
         actuated,
@@ -206,9 +205,7 @@ def _too_few(
     )
 
 
-def _scheme(
-    work: LociOfSchemes, actuated: tuple[str, ...], state: PassiveState
-) -> Scheme:
+def _scheme(work: LociOfSchemes, actuated: tuple[str, ...], state: LoopState) -> Scheme:
     assembly = work.assembly
     passive = passive_joints(assembly, actuated)
     rank = assembly.dimension - state.platform_freedom
