@@ -66,7 +66,7 @@ def _proof(strata: HybridStrata) -> str:
     count = len(strata.strata) - 1
     if not count:
         return "its twist system, the loops inside closed, is nowhere another one"
-    return (
-        f"its twist system, the loops inside closed, is an extensor that holds outside "
-        f"{count} strata; each of them was searched in turn"
-    )
+    outside = "one stratum, which was searched in turn"
+    if count > 1:
+        outside = f"{count} strata, each of which was searched in turn"
+    return f"the extensor of its twists, loops inside closed, holds outside {outside}"

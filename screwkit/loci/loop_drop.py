@@ -183,6 +183,9 @@ def _visit(root: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         for equation in stratum.equations:
             branches = [b for a in branches for b in imposed(a, equation, walk.search)]
     for branch in branches:
+        # Where a divisor or the length of an axis is zero there is nothing to look at.
+        if any(divisor == 0 for divisor in branch.divisors):
+            continue
         if not branch.is_special and not walk.known(branch):
             _examine(branch, chosen, walk)
 

@@ -17,6 +17,8 @@ from loci.numeric import Array, value, values
 from loci.searching import solved
 
 import screwkit as sk
+from screwkit.algebra.expression import Expression
+from screwkit.algebra.text import expression_text
 from screwkit.questions import singularities
 from screwkit.results.singularities import Component, Singularities
 
@@ -27,7 +29,10 @@ NOISE = 1e-8
 
 @cache
 def answer(name: str) -> Singularities:
-    return singularities(sk.load(name))
+    return singularities(case(name))
+
+
+text_of = cache(expression_text)
 
 
 @dataclass(frozen=True)
@@ -35,6 +40,9 @@ class At(FloatLoops):
     """A mechanism at given numbers."""
 
     given: Mapping[str, float] = field(default_factory=dict)
+
+    def number(self, expression: Expression) -> float:
+        return value(text_of(expression), self.values)
 
     @cached_property
     def values(self) -> dict[str, float]:
@@ -45,12 +53,17 @@ class At(FloatLoops):
         return self.body_twists(mechanism.platform, mechanism.base, locked)
 
 
+@cache
+def case(name: str) -> sk.Case:
+    return sk.load(name)
+
+
 def at(name: str, given: Mapping[str, float]) -> At:
-    return At(sk.load(name).mechanism, given=given)
+    return At(case(name).mechanism, given=given)
 
 
 def limb_at(name: str, limb: str, given: Mapping[str, float]) -> At:
-    network = sk.load(name).network
+    network = case(name).network
     (own,) = [each for each in network.limbs if each.name == limb]
     ends = network.mechanism.base, network.mechanism.platform
     return At(network.part(own.joints, ends).mechanism, given=given)
@@ -72,7 +85,7 @@ def freedom(twists: Array) -> int:
 
 
 def symbols(name: str) -> list[str]:
-    return [p.name for p in sk.load(name).mechanism.parameters]
+    return [p.name for p in case(name).mechanism.parameters]
 
 
 def drawn(name: str, seed: int) -> dict[str, float]:
@@ -81,7 +94,7 @@ def drawn(name: str, seed: int) -> dict[str, float]:
 
 
 def variables(name: str) -> list[str]:
-    return [p.name for p in sk.load(name).mechanism.parameters if p.free]
+    return [p.name for p in case(name).mechanism.parameters if p.free]
 
 
 def on_component(name: str, component: Component, seed: int) -> dict[str, float]:
@@ -272,7 +285,9 @@ def h4_locked(v: Mapping[str, float]) -> float:
     rows = [
         [*u, (np.cross([0, 0, 1], h) @ u)] for u, h in zip(rods, hinges, strict=True)
     ]
-    return float(np.linalg.det(rows))
+    return float(np.linalg.det(rows)) / (
+        v["d"] * v["z"]
+    )  # factors that are no condition or another
 
 
 def h4_couples(v: Mapping[str, float]) -> float:
