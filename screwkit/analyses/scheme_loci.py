@@ -14,6 +14,7 @@ from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.trigonometric import primitive
 from screwkit.kinematics.assembly import Assembly
+from screwkit.loci.hybrid_actuation import hybrid_actuation_locus
 from screwkit.loci.limb_extensors import Content, Minor
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.passive import PassiveSystem, Ranks
@@ -23,6 +24,9 @@ from screwkit.results.schemes import LocusFactor
 
 _NAMED = 80  # terms; no statement of the catalogue is longer
 _LOOKED_AT = 60  # minors of one scheme
+
+STRATA = 100_000
+"""Terms of minors that the strata of one scheme count as; they take as long."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +71,8 @@ class LociOfSchemes:
             passive: The joints that are not locked.
             mobility: What they can move in general.
         """
+        if self.assembly.has_blocks:
+            return self._of_strata(passive)
         if len(self.assembly.limbs) < 2:
             return SchemeLocus(())
         minors = self._minors(passive)
@@ -95,6 +101,21 @@ class LociOfSchemes:
         # Where one minor vanishes on nothing else, nothing else fails.
         all_of_it = any(own.keys() <= kept.keys() for own in seen)
         return SchemeLocus(tuple(kept.values()), undecided, not all_of_it)
+
+    def _of_strata(self, passive: Sequence[str]) -> SchemeLocus:
+        """Where limbs with loops inside lose their hold: pieces of one condition."""
+        if self.left <= 0:
+            return SchemeLocus((), undecided=True)
+        self.left -= STRATA
+        locked = [joint for joint in self.assembly.joints if joint not in passive]
+        locus = hybrid_actuation_locus(self.assembly, locked)
+        found: dict[str, tuple[Factor, int]] = {}
+        for piece in locus.pieces:
+            if piece.codimension == 1:
+                parts = factor(self.ring, piece.equations[0], self.library).factors
+                found |= {f.key: (f, 1) for f, _ in parts if self._can_vanish(f)}
+        deeper = any(piece.codimension > 1 for piece in locus.pieces)
+        return SchemeLocus(tuple(found.values()), not locus.complete, deeper)
 
     def _factors(self, minor: Minor) -> dict[str, tuple[Factor, int]]:
         """The factors of a minor that can vanish, with their multiplicities."""

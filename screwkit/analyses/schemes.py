@@ -69,9 +69,9 @@ def schemes(
         UnknownNameError: If a candidate is no joint of a limb, or there are fewer of
             them than a scheme has joints.
         TooLargeError: If there are more schemes than can sensibly be listed.
-        UndecidedError: See `Assembly.refuse_blocks`.
+        UndecidedError: See `Assembly.refuse_other_loops`.
     """
-    assembly.refuse_blocks()
+    assembly.refuse_other_loops()
     system = PassiveSystem(assembly)
     wanted = system.generic_state(assembly.joints).platform_freedom
     number = wanted if size is None else size
@@ -247,9 +247,10 @@ def _open(listed: Sequence[Scheme], work: LociOfSchemes) -> str:
     schemes_left = f"{left} of {len(listed)} schemes"
     if work.left > 0:
         return f"determinants of {schemes_left} are too long to expand"
+    which = "" if work.assembly.has_blocks else ", the longest ones"
     return (
-        f"the loci of {schemes_left} are left, the longest ones; ask for one of them "
-        f"with singularities --actuated, or for more with --work"
+        f"the loci of {schemes_left} are left{which}; ask for one of them with "
+        f"singularities --actuated, or for more with --work"
     )
 
 

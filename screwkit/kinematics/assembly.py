@@ -138,20 +138,6 @@ class Assembly:
         if self.tied:
             raise UndecidedError(f"{self.tied}; this question takes them as free")
 
-    def refuse_blocks(self) -> None:
-        """For questions that take limbs as serial chains.
-
-        Raises:
-            UndecidedError: If a limb has loops inside, or loops lie outside all limbs.
-        """
-        for limb in self.limbs:
-            if limb.elements is not None:
-                raise UndecidedError(
-                    f"limb {limb.name!r} has loops inside, which this question does "
-                    f"not take apart yet; `mobility` and `screws` do"
-                )
-        self.refuse_other_loops()
-
     @cached_property
     def joints(self) -> tuple[str, ...]:
         """The freedoms of all limbs, limb by limb."""

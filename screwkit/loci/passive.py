@@ -210,9 +210,23 @@ class PassiveSystem:
         return len(passive) == self.height * (len(self.assembly.limbs) - 1)
 
     def size(self, passive: Collection[str]) -> int:
-        """Products of terms that a determinant of these columns may take."""
+        """Products of terms that a determinant of these columns may take.
+
+        Of limbs with loops inside no determinant is expanded; there it is the number of
+        freedoms inside that are locked.
+        """
+        if self.assembly.has_blocks:
+            return self._locked_inside(passive)
         extensors = [self._own(i, passive) for i in range(len(self.assembly.limbs))]
         return cost([e.coordinates for e in extensors], ((),) * len(extensors))
+
+    def _locked_inside(self, passive: Collection[str]) -> int:
+        return sum(
+            joint not in passive
+            and self.assembly.joint_of(joint).name not in (limb.elements or limb.chain)
+            for limb in self.assembly.limbs
+            for joint in limb.joints
+        )
 
     def maximal_minors(self, passive: Collection[str]) -> Iterator[Minor]:
         """Polynomials that all vanish where these columns become dependent.

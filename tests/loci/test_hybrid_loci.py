@@ -99,18 +99,31 @@ def variables(name: str) -> list[str]:
 
 def on_component(name: str, component: Component, seed: int) -> dict[str, float]:
     """A random posture on a component, by least Newton steps from a random one."""
+    return _where(name, component.equations, seed)
+
+
+def on_equation(name: str, equation: str, seed: int) -> dict[str, float]:
+    return _where(name, (equation,), seed)
+
+
+def _where(name: str, equations: tuple[str, ...], seed: int) -> dict[str, float]:
     free = variables(name)
     for number in range(40):
         start = drawn(name, 1000 * seed + number)
 
         def residuals(x: Array, start: dict[str, float] = start) -> Array:
             posture = {**start, **dict(zip(free, map(float, x), strict=True))}
-            return values(component.equations, posture)
+            return values(equations, posture)
 
         found = solved(residuals, np.array([start[each] for each in free]))
         if found is not None and np.max(np.abs(found)) < 20:
             return {**start, **dict(zip(free, map(float, found), strict=True))}
-    raise AssertionError(f"no posture on {component.equations}")
+    raise AssertionError(f"no posture on {equations}")
+
+
+def mobility(whole: At, locked: tuple[str, ...] = ()) -> int:
+    passive = whole.loop_matrix(locked)
+    return passive.shape[1] - clear_rank(passive)
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -156,8 +169,7 @@ def test_locked_platforms_move_as_is_said(name: str) -> None:
         left = freedom(whole.platform(found.actuated))
         assert left == component.platform_freedom
         assert left
-        passive = whole.loop_matrix(found.actuated)
-        assert passive.shape[1] - clear_rank(passive) == component.mobility
+        assert mobility(whole, found.actuated) == component.mobility
 
 
 def smallest(matrix: Array, rank: int) -> float:
