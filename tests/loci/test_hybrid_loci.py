@@ -123,7 +123,7 @@ def _where(name: str, equations: tuple[str, ...], seed: int) -> dict[str, float]
 
 def mobility(whole: At, locked: tuple[str, ...] = ()) -> int:
     passive = whole.loop_matrix(locked)
-    return passive.shape[1] - clear_rank(passive)
+    return int(passive.shape[1]) - clear_rank(passive)
 
 
 @pytest.mark.parametrize("name", CASES)
