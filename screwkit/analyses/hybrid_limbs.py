@@ -9,10 +9,12 @@ References: [Zlatanov2002], [Hunt1978] §13.
 
 from __future__ import annotations
 
+from screwkit.algebra.branches import Branch
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.told_parts import own_parts
-from screwkit.loci.hybrid_strata import HybridStrata, hybrid_strata
+from screwkit.loci.hybrid_strata import HybridStrata, generic_motion, hybrid_strata
 from screwkit.loci.loop_drop import undecided
+from screwkit.loci.loose_equations import about_loose, loose
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.strata import LimbStrata, limb_strata
 from screwkit.loci.wording import all_solutions, equations_of, solved_equations
@@ -50,15 +52,25 @@ def hybrid_limb(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
         )
         for piece, dimension in strata.narrow
     )
-    complete = not strata.open
+    parts, height = own_parts(assembly, limb)
+    generic = strata.strata[0].dimension
+
+    def is_singular(branch: Branch) -> bool:
+        motion = generic_motion([branch], parts, height)
+        return motion is not None and motion.dimension < generic
+
+    pieces = [piece for piece, _ in strata.narrow]
+    unclear = about_loose(len(loose(root, pieces, is_singular, library)))
+    left = undecided(strata.open) if strata.open else ""
+    complete = not strata.open and not unclear
     return LimbSingularities(
         limb=limb.name,
         joints=limb.joints,
-        generic_rank=strata.strata[0].dimension,
+        generic_rank=generic,
         complete=complete,
         components=components,
         proof=_proof(strata) if complete else "",
-        reason="" if complete else undecided(strata.open),
+        reason="; ".join(filter(None, [left, unclear])),
     )
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.analyses.actuation_parts import actuation_parts
@@ -19,7 +20,14 @@ from screwkit.loci.actuation import actuation_locus
 from screwkit.loci.canonical import in_known_conditions
 from screwkit.loci.hybrid_actuation import state_on
 from screwkit.loci.lifting import with_sheets_together
-from screwkit.loci.loop_drop import LoopDrop, loop_drop, undecided
+from screwkit.loci.loop_drop import (
+    LoopDrop,
+    loop_drop,
+    loop_state,
+    rank_is_lost,
+    undecided,
+)
+from screwkit.loci.loose_equations import about_loose, loose
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece, pieces_of
 from screwkit.loci.rank_drop import generic_rank, rank_drop
@@ -220,14 +228,30 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
         _constraint_component(piece, limbs, meanings, assembly.dimension)
         for piece in _in_order(pieces)
     )
-    complete = drop.complete
+    unclear = about_loose(_loose(assembly, root, pieces, limbs))
+    complete = drop.complete and not unclear
     return ConstraintSingularities(
         generic_rank=drop.generic.loop,
         complete=complete,
         components=components,
         proof=_constraint_proof(drop) if complete else "",
-        reason=drop.reason,
+        reason="; ".join(filter(None, [drop.reason, unclear])),
     )
+
+
+def _loose(
+    assembly: Assembly, root: Branch, pieces: Sequence[Piece], limbs: Sequence[Parts]
+) -> int:
+    """How many pieces may have equations that hold elsewhere, with loops in limbs."""
+    generic = loop_state(root, limbs)
+    if not assembly.has_blocks or generic is None:
+        return 0
+
+    def is_singular(branch: Branch) -> bool:
+        state = loop_state(branch, limbs)
+        return state is not None and rank_is_lost(state, generic)
+
+    return len(loose(root, pieces, is_singular, assembly.library(root.ring)))
 
 
 def _constraint_proof(drop: LoopDrop) -> str:

@@ -19,6 +19,7 @@ from screwkit.kinematics.told_parts import told_parts
 from screwkit.loci.actuation_locus import ActuationLocus
 from screwkit.loci.hybrid_strata import HybridStrata, hybrid_strata
 from screwkit.loci.loop_drop import loop_drop, loop_state, platform_is_freer
+from screwkit.loci.loose_equations import about_loose, loose
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece, lies_in, without_contained
 
@@ -43,14 +44,20 @@ def hybrid_actuation_locus(
     )
     idle = _idle(root, limbs, strata, drop.pieces)
     pieces = (*drop.pieces, *idle)
+
+    def is_singular(branch: Branch) -> bool:
+        state = loop_state(branch, limbs)
+        return state is not None and state.platform_freedom > 0
+
+    unclear = about_loose(len(loose(root, drop.pieces, is_singular, library)))
     return ActuationLocus(
         True,
         0,
-        drop.complete,
+        drop.complete and not unclear,
         pieces,
         tuple(state_on(piece, limbs) for piece in pieces),
         Meanings(framed, root, library),
-        reason=drop.reason,
+        reason="; ".join(filter(None, [drop.reason, unclear])),
     )
 
 

@@ -22,7 +22,8 @@ from screwkit.algebra.text import expression_text
 from screwkit.questions import singularities
 from screwkit.results.singularities import Component, Singularities
 
-CASES = ("delta_ss", "delta_4r", "orthoglide", "h4")
+PLANAR = ("stephenson_six_bar", "watt_six_bar")
+CASES = ("delta_ss", "delta_4r", "orthoglide", "h4", *PLANAR)
 CLEAR = 1e3
 NOISE = 1e-8
 
@@ -142,15 +143,16 @@ def test_regular_postures_are_generic(name: str) -> None:
 
 @pytest.mark.parametrize("name", CASES)
 def test_limbs_lose_what_is_said(name: str) -> None:
-    for limb in answer(name).limb:
-        assert limb.components
+    found = answer(name).limb
+    assert any(limb.components for limb in found)
+    for limb in found:
         for seed, component in enumerate(limb.components):
             given = on_component(name, component, seed)
             alone = limb_at(name, limb.limb, given)
             assert freedom(alone.platform()) == component.rank < limb.generic_rank
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", [*CASES[:4], "watt_six_bar"])
 def test_loops_lose_what_is_said(name: str) -> None:
     found = answer(name).constraint
     for seed, component in enumerate(found.components):
@@ -345,8 +347,8 @@ def test_what_is_known_to_be_complete() -> None:
         assert all(limb.complete for limb in found.limb)
         assert found.actuation is not None
         assert found.actuation.complete
-    assert answer("orthoglide").constraint.complete
-    assert answer("h4").constraint.complete
+    for name in ("orthoglide", "h4", "watt_six_bar"):
+        assert answer(name).constraint.complete
     assert not answer("orthoglide").constraint.components
 
 
@@ -355,3 +357,20 @@ def test_what_is_open_is_said() -> None:
     found = answer("delta_ss").constraint
     assert not found.complete
     assert "of codimension 3 or more" in found.reason
+
+
+def test_equations_that_hold_at_regular_postures_are_told() -> None:
+    """Where F comes upon E their link has no length, and nothing is lost."""
+    name = "stephenson_six_bar"
+    found = answer(name).constraint
+    given = drawn(name, 3)
+    given |= {"xf": given["xe"], "yf": given["ye"]}
+    on = [
+        c
+        for c in found.components
+        if np.max(np.abs(values(c.equations, given))) < NOISE
+    ]
+    assert on
+    assert clear_rank(at(name, given).loop_matrix()) == found.generic_rank
+    assert not found.complete
+    assert "may hold at regular postures too" in found.reason
