@@ -213,10 +213,13 @@ class PassiveSystem:
         """Products of terms that a determinant of these columns may take.
 
         Of limbs with loops inside no determinant is expanded; there it is the number of
-        freedoms inside that are locked.
+        freedoms inside that are locked, and one more where it is not the declared
+        scheme that is left.
         """
         if self.assembly.has_blocks:
-            return self._locked_inside(passive)
+            locked = {joint for joint in self.joints if joint not in passive}
+            other = locked != {*self.assembly.mechanism.actuated}
+            return self._locked_inside(passive) + other
         extensors = [self._own(i, passive) for i in range(len(self.assembly.limbs))]
         return cost([e.coordinates for e in extensors], ((),) * len(extensors))
 

@@ -48,6 +48,14 @@ def test_the_locus_is_not_a_square() -> None:
     assert np.min(values) < 0 < np.max(values)
 
 
+def test_the_declared_scheme_is_looked_at_first() -> None:
+    """With work for one locus alone it is that of the actuators of the file."""
+    case = sk.load(NAME)
+    found = schemes(case, candidates=["P1", "P2", "Rb2", "P3"], work=1)
+    decided = [s.actuated for s in found.schemes if not s.undecided]
+    assert decided == [case.mechanism.actuated] == [("P1", "P2", "P3")]
+
+
 def test_two_joints_of_a_parallelogram_hold_the_same() -> None:
     found = answer("P1", "P2", "p1_1", "m1_1")
     wasted = [s for s in found.schemes if {"p1_1", "m1_1"} <= {*s.actuated}]
