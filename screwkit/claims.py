@@ -8,10 +8,17 @@ or by a reader.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from functools import cache
 from typing import Any
 
 from screwkit.algebra.evaluation import evaluate
-from screwkit.algebra.modular import LARGEST, ModularRing, ResampleError, Residue
+from screwkit.algebra.modular import (
+    ModularRing,
+    ResampleError,
+    Residue,
+    prime_for,
+)
 from screwkit.algebra.parse import parse
 from screwkit.algebra.text import expression_text
 from screwkit.errors import ExpressionError
@@ -143,15 +150,21 @@ def _up_to_factor(text: str) -> str:
     first = next((value for value in values if value), 0)
     if not first:
         return "0"
-    inverse = pow(first, -1, LARGEST)
-    return " ".join(str(value * inverse % LARGEST) for value in values)
+    inverse = pow(first, -1, _prime())
+    return " ".join(str(value * inverse % _prime()) for value in values)
+
+
+@cache
+def _prime() -> int:
+    """A modulus with the roots that equations contain as a rule."""
+    return prime_for(12, [Fraction(n) for n in (2, 3, 5, 7, 11, 13)], 1)
 
 
 class _NamedPoint(ModularRing):
     """A point at which every symbol has the residue that its name gives."""
 
     def __init__(self, number: int) -> None:
-        super().__init__(number)
+        super().__init__(number, _prime())
         self._number = number
 
     def symbol(self, name: str) -> Residue:
@@ -161,4 +174,5 @@ class _NamedPoint(ModularRing):
         return self._of(angle).cosine_sine("x")
 
     def _of(self, name: str) -> ModularRing:
-        return ModularRing(int.from_bytes(f"{self._number} {name}".encode(), "big"))
+        seed = int.from_bytes(f"{self._number} {name}".encode(), "big")
+        return ModularRing(seed, _prime())

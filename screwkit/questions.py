@@ -174,6 +174,11 @@ def singularities(
 
         return sliced_singularities(case, slices, Path(output), singularities)
     _need_exact_posture(case)
+    if certificate and case.assembly.has_blocks:
+        raise UndecidedError(
+            "limbs have loops inside, of which no certificate can be written yet; "
+            "without --certificate this question is answered"
+        )
     answer = analysis.singularities(case.assembly, progress=progress, finished=finished)
     answer = replace(answer, one_posture=not case.network.has_symbols)
     if strata:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from screwkit.loci.actuation import ActuationLocus
+from screwkit.loci.actuation_locus import ActuationLocus
 from screwkit.loci.pieces import Piece
 from screwkit.loci.wording import all_solutions, equations_of, solved_equations
 from screwkit.results.singularities import Component

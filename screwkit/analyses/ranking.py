@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from screwkit.algebra.expression import Expression
+from screwkit.errors import UndecidedError
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.values import declared_values, with_values
 from screwkit.loci.actuation import passive_joints
@@ -48,7 +49,8 @@ def ranking(
         length: That counts as one radian, in the units of the file.
 
     Raises:
-        UndecidedError: If a dimension has no value, or no posture exists.
+        UndecidedError: If a dimension has no value, or no posture exists, or limbs have
+            loops inside.
         UnknownNameError: If a range is one of no symbol.
         ExpressionError: If it is none.
     """
@@ -59,6 +61,10 @@ def ranking(
     fixed = _fixed(mechanism, intervals)
     sample = posture_sample(mechanism, postures, intervals, length)
     assembly = Assembly(with_values(mechanism, fixed) if fixed else mechanism)
+    if assembly.has_blocks:
+        raise UndecidedError(
+            "limbs have loops inside, for which no scheme is ranked yet"
+        )
     system = PassiveSystem(assembly)
     whole = system.generic_state(assembly.joints)
     mobility, freedom = whole.mobility, whole.platform_freedom

@@ -15,11 +15,11 @@ from itertools import combinations
 from screwkit.analyses.actuation_parts import actuation_parts
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.actuation import actuation_locus, passive_joints
-from screwkit.loci.passive import PassiveSystem, RankTable
+from screwkit.loci.passive import PassiveSystem, Ranks
 from screwkit.results.schemes import AddedActuators, Redundancy
 from screwkit.results.singularities import Component
 
-Sheets = Sequence[Sequence[RankTable]]
+Sheets = Sequence[Sequence[Ranks]]
 """Ranks at the exact points of each sheet of a component."""
 
 

@@ -14,15 +14,19 @@ from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.trigonometric import primitive
 from screwkit.kinematics.assembly import Assembly
+from screwkit.loci.hybrid_actuation import hybrid_actuation_locus
 from screwkit.loci.limb_extensors import Content, Minor
 from screwkit.loci.meanings import Meanings
-from screwkit.loci.passive import PassiveSystem, RankTable
+from screwkit.loci.passive import PassiveSystem, Ranks
 from screwkit.loci.pieces import Piece
 from screwkit.loci.witness import Witnesses
 from screwkit.results.schemes import LocusFactor
 
 _NAMED = 80  # terms; no statement of the catalogue is longer
 _LOOKED_AT = 60  # minors of one scheme
+
+STRATA = 100_000
+"""Terms of minors that the strata of one scheme count as; they take as long."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +48,7 @@ class LociOfSchemes:
     counts: Counter[str] = field(default_factory=Counter)
     seen: dict[str, Factor] = field(default_factory=dict)
     left_out: set[str] = field(default_factory=set)
-    tables: dict[str, list[RankTable]] = field(default_factory=dict)
+    tables: dict[str, list[Ranks]] = field(default_factory=dict)
     vanishing: dict[str, bool] = field(default_factory=dict)
     factored: dict[str, Content] = field(default_factory=dict)
 
@@ -67,6 +71,8 @@ class LociOfSchemes:
             passive: The joints that are not locked.
             mobility: What they can move in general.
         """
+        if self.assembly.has_blocks:
+            return self._of_strata(passive)
         if len(self.assembly.limbs) < 2:
             return SchemeLocus(())
         minors = self._minors(passive)
@@ -95,6 +101,21 @@ class LociOfSchemes:
         # Where one minor vanishes on nothing else, nothing else fails.
         all_of_it = any(own.keys() <= kept.keys() for own in seen)
         return SchemeLocus(tuple(kept.values()), undecided, not all_of_it)
+
+    def _of_strata(self, passive: Sequence[str]) -> SchemeLocus:
+        """Where limbs with loops inside lose their hold: pieces of one condition."""
+        if self.left <= 0:
+            return SchemeLocus((), undecided=True)
+        self.left -= STRATA
+        locked = [joint for joint in self.assembly.joints if joint not in passive]
+        locus = hybrid_actuation_locus(self.assembly, locked)
+        found: dict[str, tuple[Factor, int]] = {}
+        for piece in locus.pieces:
+            if piece.codimension == 1:
+                parts = factor(self.ring, piece.equations[0], self.library).factors
+                found |= {f.key: (f, 1) for f, _ in parts if self._can_vanish(f)}
+        deeper = any(piece.codimension > 1 for piece in locus.pieces)
+        return SchemeLocus(tuple(found.values()), not locus.complete, deeper)
 
     def _factors(self, minor: Minor) -> dict[str, tuple[Factor, int]]:
         """The factors of a minor that can vanish, with their multiplicities."""
@@ -136,7 +157,7 @@ class LociOfSchemes:
         rank = len(passive) - mobility
         return any(table.loop_rank(passive) < rank for table in tables)
 
-    def _tables_on(self, f: Factor) -> list[RankTable]:
+    def _tables_on(self, f: Factor) -> list[Ranks]:
         """Ranks at exact points on a factor."""
         if f.key not in self.tables:
             branches = restricted(self.root, f.equations[0], f.equations[1:])

@@ -17,9 +17,10 @@ from screwkit.analyses.redundancy import redundancy
 from screwkit.analyses.scheme_loci import LociOfSchemes
 from screwkit.errors import TooLargeError, UnknownNameError
 from screwkit.kinematics.assembly import Assembly
+from screwkit.kinematics.loop_state import LoopState
 from screwkit.kinematics.mirror import mirrored_joints
 from screwkit.loci.actuation import passive_joints
-from screwkit.loci.passive import PassiveState, PassiveSystem
+from screwkit.loci.passive import PassiveSystem
 from screwkit.progress import Progress, silent
 from screwkit.results.schemes import (
     Balanced,
@@ -68,9 +69,9 @@ def schemes(
         UnknownNameError: If a candidate is no joint of a limb, or there are fewer of
             them than a scheme has joints.
         TooLargeError: If there are more schemes than can sensibly be listed.
-        UndecidedError: See `Assembly.refuse_blocks`.
+        UndecidedError: See `Assembly.refuse_other_loops`.
     """
-    assembly.refuse_blocks()
+    assembly.refuse_other_loops()
     system = PassiveSystem(assembly)
     wanted = system.generic_state(assembly.joints).platform_freedom
     number = wanted if size is None else size
@@ -165,9 +166,7 @@ def _answer(
     )
 
 
-def _by_rank(
-    assembly: Assembly, actuated: tuple[str, ...], state: PassiveState
-) -> Scheme:
+def _by_rank(assembly: Assembly, actuated: tuple[str, ...], state: LoopState) -> Scheme:
     """A scheme of which only the rank is known."""
     return Scheme(
         actuated,
@@ -206,9 +205,7 @@ def _too_few(
     )
 
 
-def _scheme(
-    work: LociOfSchemes, actuated: tuple[str, ...], state: PassiveState
-) -> Scheme:
+def _scheme(work: LociOfSchemes, actuated: tuple[str, ...], state: LoopState) -> Scheme:
     assembly = work.assembly
     passive = passive_joints(assembly, actuated)
     rank = assembly.dimension - state.platform_freedom
@@ -250,9 +247,10 @@ def _open(listed: Sequence[Scheme], work: LociOfSchemes) -> str:
     schemes_left = f"{left} of {len(listed)} schemes"
     if work.left > 0:
         return f"determinants of {schemes_left} are too long to expand"
+    which = "" if work.assembly.has_blocks else ", the longest ones"
     return (
-        f"the loci of {schemes_left} are left, the longest ones; ask for one of them "
-        f"with singularities --actuated, or for more with --work"
+        f"the loci of {schemes_left} are left{which}; ask for one of them with "
+        f"singularities --actuated, or for more with --work"
     )
 
 

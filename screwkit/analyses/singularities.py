@@ -8,19 +8,31 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from screwkit.algebra.branches import Branch
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.analyses.actuation_parts import actuation_parts
+from screwkit.analyses.hybrid_limbs import hybrid_limb, strata_of
 from screwkit.analyses.superbracket import superbracket
 from screwkit.kinematics.assembly import Assembly, LimbChain
+from screwkit.kinematics.limb_parts import Parts
+from screwkit.kinematics.told_parts import told_parts
 from screwkit.loci.actuation import actuation_locus
 from screwkit.loci.canonical import in_known_conditions
+from screwkit.loci.hybrid_actuation import state_on
 from screwkit.loci.lifting import with_sheets_together
-from screwkit.loci.loop_drop import LoopDrop, LoopState, loop_drop, loop_state
+from screwkit.loci.loop_drop import (
+    LoopDrop,
+    loop_drop,
+    loop_state,
+    rank_is_lost,
+    undecided,
+)
+from screwkit.loci.loose_equations import about_loose, loose
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece, pieces_of, told_apart
 from screwkit.loci.rank_drop import generic_rank, rank_drop
-from screwkit.loci.strata import in_ring, limb_strata
+from screwkit.loci.strata import in_ring
 from screwkit.loci.wording import all_solutions, equations_of, solved_equations
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
@@ -48,13 +60,14 @@ def singularities(
         finished: Given each part as soon as it is there, by name.
 
     Raises:
-        UndecidedError: See `Assembly.refuse_blocks`.
+        UndecidedError: See `Assembly.refuse_other_loops`.
     """
-    assembly.refuse_blocks()
+    assembly.refuse_other_loops()
     limbs = []
     for limb in assembly.limbs:
         progress(f"limb {limb.name}", f"{len(limb.joints)} twists")
-        limbs.append(limb_singularities(assembly, limb))
+        answer = hybrid_limb if limb.elements is not None else limb_singularities
+        limbs.append(answer(assembly, limb))
         finished(f"limb {limb.name}", limbs[-1])
     progress("constraint", f"{len(assembly.joints)} columns")
     constraint = constraint_singularities(assembly)
@@ -123,7 +136,7 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
         components=tuple(components),
         intersections=tuple(_intersections(pieces, columns, Search(library))),
         proof=_proof(len(drop.minors), drop.rank, pieces) if complete else "",
-        reason="" if complete else _undecided(drop.decomposition.open),
+        reason="" if complete else undecided(drop.decomposition.open),
     )
 
 
@@ -144,12 +157,6 @@ def _proof(minors: int, rank: int, pieces: Sequence[Piece]) -> str:
         f"{subject} {where}; every common zero lies {one}, by exhaustive case "
         f"distinction over the factors of the minors"
     )
-
-
-def _undecided(branches: Sequence[object]) -> str:
-    count = len(branches)
-    noun = "piece" if count == 1 else "pieces"
-    return f"{count} {noun} of the locus could not be decided within the budget"
 
 
 def _in_order(pieces: Sequence[Piece]) -> list[Piece]:
@@ -191,23 +198,20 @@ def _lies(inner: Piece, outer: Piece) -> bool:
 
 def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
     """Where the loop constraint matrix loses rank."""
-    generic = assembly.loop_rank
-    if len(assembly.limbs) < 2:
+    if len(assembly.limbs) < 2 and not assembly.has_blocks:
         return ConstraintSingularities(
-            generic, True, (), proof="there is no loop to constrain"
+            assembly.loop_rank, True, (), proof="there is no loop to constrain"
         )
     framed = assembly.common_twists
     root, library = assembly.root(framed.ring), assembly.library(framed.ring)
-    limbs = [assembly.told(limb.joints) for limb in assembly.limbs]
+    limbs = [told_parts(assembly, limb) for limb in assembly.limbs]
     strata = [
         in_ring(
-            limb_strata(assembly, limb),
+            strata_of(assembly, limb),
             assembly.limb_twists[limb.name].ring,
             framed.ring,
         )
-        for limb, twists in zip(
-            assembly.limbs, assembly.limb_twists.values(), strict=True
-        )
+        for limb in assembly.limbs
     ]
     drop = loop_drop(root, limbs, strata, Search(library))
     meanings = Meanings(framed, root, library)
@@ -226,26 +230,30 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
         _constraint_component(piece, limbs, meanings, assembly.dimension)
         for piece in _in_order(pieces)
     )
-    complete = drop.complete
+    unclear = about_loose(_loose(assembly, root, pieces, limbs))
+    complete = drop.complete and not unclear
     return ConstraintSingularities(
-        generic_rank=generic,
+        generic_rank=drop.generic.loop,
         complete=complete,
         components=components,
         proof=_constraint_proof(drop) if complete else "",
-        reason="" if complete else _open_constraint(drop),
+        reason="; ".join(filter(None, [drop.reason, unclear])),
     )
 
 
-def _open_constraint(drop: LoopDrop) -> str:
-    reasons = []
-    if drop.open:
-        reasons.append(_undecided(drop.open))
-    if drop.searched is not None:
-        reasons.append(
-            f"all pieces up to codimension {drop.searched} were searched; "
-            f"{drop.unsearched} combinations of limb strata beyond were not"
-        )
-    return "; ".join(reasons)
+def _loose(
+    assembly: Assembly, root: Branch, pieces: Sequence[Piece], limbs: Sequence[Parts]
+) -> int:
+    """How many pieces may have equations that hold elsewhere, with loops in limbs."""
+    generic = loop_state(root, limbs)
+    if not assembly.has_blocks or generic is None:
+        return 0
+
+    def is_singular(branch: Branch) -> bool:
+        state = loop_state(branch, limbs)
+        return state is not None and rank_is_lost(state, generic)
+
+    return len(loose(root, pieces, is_singular, assembly.library(root.ring)))
 
 
 def _constraint_proof(drop: LoopDrop) -> str:
@@ -259,11 +267,11 @@ def _constraint_proof(drop: LoopDrop) -> str:
 
 def _constraint_component(
     piece: Piece,
-    limbs: Sequence[Sequence[Sequence[Polynomial]]],
+    limbs: Sequence[Parts],
     meanings: Meanings,
     size: int,
 ) -> Component:
-    state = _state(piece, limbs)
+    state = state_on(piece, limbs)
     return Component(
         equations=equations_of(piece),
         codimension=piece.codimension,
@@ -275,14 +283,6 @@ def _constraint_component(
         platform_freedom=state.platform_freedom,
         mobility=state.mobility,
     )
-
-
-def _state(piece: Piece, limbs: Sequence[Sequence[Sequence[Polynomial]]]) -> LoopState:
-    for branch in piece.branches:
-        state = loop_state(branch, limbs)
-        if state is not None:
-            return state
-    raise ArithmeticError("a piece without an exact point was accepted")
 
 
 def actuation_singularities(

@@ -27,7 +27,12 @@ from screwkit.kinematics.frames import (
     shortest_twists,
 )
 from screwkit.kinematics.placement import why_tied
-from screwkit.kinematics.series_parallel import Chain, chain_between, joints_of
+from screwkit.kinematics.series_parallel import (
+    Chain,
+    chain_between,
+    joints_of,
+    loops_in,
+)
 from screwkit.kinematics.values import declared_values, with_values
 from screwkit.mechanism.graph import Step, independent_loops
 from screwkit.mechanism.graph import limbs as limbs_of
@@ -102,23 +107,33 @@ class Assembly:
         values = declared_values(self.mechanism)
         return Assembly(with_values(self.mechanism, values)) if values else None
 
-    def refuse_blocks(self) -> None:
-        """For questions that take limbs as serial chains.
+    @property
+    def has_blocks(self) -> bool:
+        """Whether a limb has loops inside."""
+        return any(limb.elements is not None for limb in self.limbs)
+
+    def refuse_other_loops(self) -> None:
+        """For questions that take limbs as chains of joints and of nested chains.
 
         Raises:
-            UndecidedError: If a limb has loops inside, or loops lie outside all limbs.
+            UndecidedError: If a limb is no such chain, or loops lie outside all limbs.
         """
         for limb in self.limbs:
-            if limb.elements is not None:
+            if not limb.nested:
                 raise UndecidedError(
-                    f"limb {limb.name!r} has loops inside, which this question does "
-                    f"not take apart yet; `mobility` and `screws` do"
+                    f"limb {limb.name!r} is no nesting of chains, which this question "
+                    f"does not take apart yet; `mobility` and `screws` do"
                 )
-        loops, closed = independent_loops(self.mechanism), max(0, len(self.limbs) - 1)
-        if loops != closed:
+        loops = independent_loops(self.mechanism)
+        closed = max(0, len(self.limbs) - 1)
+        inside = sum(loops_in(limb.elements or ()) for limb in self.limbs)
+        if loops != closed + inside:
+            known = f"the limbs close {closed}"
+            if inside:
+                known += f" and hold {inside}"
             raise UndecidedError(
-                f"the graph has {loops} independent loops, of which the limbs close "
-                f"{closed}; loops outside limbs are not taken into account here yet"
+                f"the graph has {loops} independent loops, of which {known}; loops "
+                f"outside limbs are not taken into account here yet"
             )
         if self.tied:
             raise UndecidedError(f"{self.tied}; this question takes them as free")
@@ -337,7 +352,7 @@ def _limb_chains(mechanism: Mechanism) -> tuple[LimbChain, ...]:
                 tuple(labels),
                 (1,) * len(labels),
                 chain,
-                (),
+                (mechanism.base,),
                 elements,
                 nested,
             )

@@ -47,6 +47,15 @@ def joints_of(chain: Chain) -> tuple[str, ...]:
     )
 
 
+def loops_in(chain: Chain) -> int:
+    """Independent loops inside a chain."""
+    return sum(
+        len(element.branches) - 1 + sum(map(loops_in, element.branches))
+        for element in chain
+        if not isinstance(element, str)
+    )
+
+
 @dataclass
 class _Edge:
     ends: tuple[str, str]

@@ -10,13 +10,15 @@ locked limbs, not from literal wrenches.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.search import Search
 from screwkit.kinematics.assembly import Assembly
+from screwkit.kinematics.loop_state import LoopState
+from screwkit.loci.actuation_locus import ActuationLocus
+from screwkit.loci.hybrid_actuation import hybrid_actuation_locus
 from screwkit.loci.meanings import Meanings
-from screwkit.loci.passive import PassiveState, PassiveSystem
+from screwkit.loci.passive import PassiveSystem
 from screwkit.loci.pieces import Piece, lies_in, pieces_of
 from screwkit.loci.rank_drop import Column, rank_drop
 from screwkit.loci.witness import Witnesses
@@ -25,28 +27,6 @@ from screwkit.loci.wrench_sums import Dependence, dependent_zeros
 _LONGEST = 60_000  # terms of a polynomial that is factored
 _APART = 300  # case distinctions where the whole determinant is too long
 _IDLE = 200  # case distinctions on all idle pieces
-
-
-@dataclass(frozen=True)
-class ActuationLocus:
-    """Pieces on which something moves with the actuated joints locked.
-
-    Attributes:
-        platform_freedom: With these joints locked, in general.
-        pieces: With their ``states``; where the platform's freedom there is 0, only
-            limbs move.
-        witness: Why the scheme is not admissible.
-        reason: Why ``complete`` is false.
-    """
-
-    admissible: bool
-    platform_freedom: int
-    complete: bool
-    pieces: tuple[Piece, ...]
-    states: tuple[PassiveState, ...]
-    meanings: Meanings | None
-    witness: str = ""
-    reason: str = ""
 
 
 def passive_joints(assembly: Assembly, actuated: Collection[str]) -> tuple[str, ...]:
@@ -63,6 +43,8 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
     if freedom:
         why = Witnesses(assembly, system).of(passive)
         return ActuationLocus(False, freedom, True, (), (), None, why)
+    if assembly.has_blocks:
+        return hybrid_actuation_locus(assembly, actuated)
     framed = assembly.common_twists
     root, library = assembly.root(framed.ring), assembly.library(framed.ring)
     meanings = Meanings(framed, root, library)
@@ -133,9 +115,7 @@ def _known(branch: Branch, pieces: Sequence[Piece]) -> bool:
     return any(lies_in(branch, piece) for piece in pieces)
 
 
-def _state(
-    system: PassiveSystem, piece: Piece, passive: Collection[str]
-) -> PassiveState:
+def _state(system: PassiveSystem, piece: Piece, passive: Collection[str]) -> LoopState:
     """Generic on the piece: the ranks at its points, the larger of each."""
     states = [
         system.table_at(*point).state(passive)

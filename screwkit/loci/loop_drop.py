@@ -11,49 +11,28 @@ References: [LongCaroKhalil2012] §5.2.1; [Zlatanov2002].
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import product
+from typing import TypeAlias
 
 from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.cases import possible_factors
-from screwkit.algebra.points import rank_at
 from screwkit.algebra.search import Search, irreducible_parts
 from screwkit.algebra.trigonometric import Polynomial
-from screwkit.kinematics.assembly import loop_rows
+from screwkit.kinematics.limb_parts import Parts, columns_of, motion_at
+from screwkit.kinematics.loop_state import LoopState, state_of
 from screwkit.loci.exact_equations import with_exact_equations
 from screwkit.loci.pieces import Piece, lies_in, pieces_of
-from screwkit.loci.rank_drop import Column
 from screwkit.loci.strata import LimbStrata, Stratum
-from screwkit.loci.wrench_sums import dependent_zeros
+from screwkit.loci.wrench_sums import dependent_zeros, height_of
 
 _EFFORT = 1_200  # case distinctions in all; long polynomials count more
 _BUDGET = 150  # case distinctions on one branch
 
 
-@dataclass(frozen=True)
-class LoopState:
-    """Ranks on a branch.
-
-    Attributes:
-        limbs: Rank of each limb's twists.
-        loop: Rank of the loop constraint matrix.
-        freedoms: Number of columns.
-    """
-
-    limbs: tuple[int, ...]
-    loop: int
-    freedoms: int
-
-    @property
-    def mobility(self) -> int:
-        """Joint motions that the loops allow."""
-        return self.freedoms - self.loop
-
-    @property
-    def platform_freedom(self) -> int:
-        """Dimension of the twists the platform can have."""
-        return self.mobility - (self.freedoms - sum(self.limbs))
+Lost: TypeAlias = Callable[[LoopState, LoopState], bool]
+"""Of the state on a branch and the generic one: whether the branch is a find."""
 
 
 @dataclass(frozen=True)
@@ -78,29 +57,49 @@ class LoopDrop:
         """Whether ``pieces`` is the whole locus."""
         return not self.open and self.searched is None
 
+    @property
+    def reason(self) -> str:
+        """Why it is not complete; empty where it is."""
+        reasons = []
+        if self.open:
+            reasons.append(undecided(self.open))
+        if self.searched is not None:
+            reasons.append(
+                f"all pieces up to codimension {self.searched} were searched; "
+                f"{self.unsearched} combinations of limb strata beyond were not"
+            )
+        return "; ".join(reasons)
 
-def loop_state(branch: Branch, limbs: Sequence[Sequence[Column]]) -> LoopState | None:
+
+def undecided(branches: Sequence[Branch]) -> str:
+    """That some pieces are left, in words."""
+    count = len(branches)
+    noun = "piece" if count == 1 else "pieces"
+    least = min(branch.codimension for branch in branches)
+    size = f", of codimension {least} or more," if least > 1 else ""
+    return f"{count} {noun} of the locus{size} could not be decided within the budget"
+
+
+def loop_state(branch: Branch, limbs: Sequence[Parts]) -> LoopState | None:
     """Ranks at random exact points of a branch; None where no point was found."""
-    points = branch.points
-    if not points:
-        return None
-    rows = loop_rows(limbs)
-    return LoopState(
-        tuple(max(rank_at(limb, *point) for point in points) for limb in limbs),
-        max(rank_at(rows, *point) for point in points) if rows else 0,
-        sum(len(limb) for limb in limbs),
-    )
+    height = height_of(limbs)
+    states = [
+        state_of([motion_at(limb, height, point, prime) for limb in limbs], prime)
+        for point, prime in branch.points
+    ]
+    return max(states, key=lambda s: (s.inner, sum(s.limbs), s.loop), default=None)
 
 
 @dataclass
 class _Walk:
     """The combinations of strata under way, shallow ones first."""
 
-    limbs: Sequence[Sequence[Column]]
+    limbs: Sequence[Parts]
     height: int
     generic: LoopState
     search: Search
     strata: Sequence[LimbStrata]
+    lost: Lost
     found: list[Branch] = field(default_factory=list)
     open: list[Branch] = field(default_factory=list)
     signatures: dict[str, Branch] = field(default_factory=dict)
@@ -119,26 +118,38 @@ class _Walk:
         return any(lies_in(branch, piece) for piece in self.pieces)
 
 
+def rank_is_lost(state: LoopState, generic: LoopState) -> bool:
+    """Whether the loop constraint matrix has lost rank."""
+    return state.loop < generic.loop
+
+
+def platform_is_freer(state: LoopState, generic: LoopState) -> bool:
+    """Whether the platform can move in more ways."""
+    return state.platform_freedom > generic.platform_freedom
+
+
 def loop_drop(
     root: Branch,
-    limbs: Sequence[Sequence[Column]],
+    limbs: Sequence[Parts],
     strata: Sequence[LimbStrata],
     search: Search,
+    lost: Lost = rank_is_lost,
 ) -> LoopDrop:
     """Every piece of ``root`` on which the loop constraint matrix loses rank.
 
     Args:
         root: The whole configuration space.
-        limbs: Twists of each limb in one common frame, in coordinates that tell all
-            of them apart.
+        limbs: Parts of each limb in one common frame, in coordinates that tell all
+            twists apart.
         strata: Of each limb, in the ring of the common frame.
         search: Budget and known factors, shared by all steps.
+        lost: What is looked for instead; it must hold wherever, on some combination of
+            strata, the limbs' wrench systems together lose dimensions.
     """
     generic = loop_state(root, limbs)
     if generic is None:
         raise ValueError("the whole space has no exact point")
-    height = max((len(column) for limb in limbs for column in limb), default=0)
-    walk = _Walk(limbs, height, generic, search, strata)
+    walk = _Walk(limbs, height_of(limbs), generic, search, strata, lost)
     combinations = sorted(
         product(*(limb.strata for limb in strata)),
         key=lambda chosen: sum(stratum.codimension for stratum in chosen),
@@ -150,10 +161,10 @@ def loop_drop(
             unsearched = len(combinations) - position
             break
         _visit(root, chosen, walk)
-    pieces = [
-        with_exact_equations(piece, root, limbs, search)
-        for piece in pieces_of([*walk.found, *_other_sheets(walk.found, walk.alike)])
-    ]
+    pieces = pieces_of([*walk.found, *_other_sheets(walk.found, walk.alike)])
+    if not generic.inner:
+        columns = [[*columns_of(limb)] for limb in limbs]
+        pieces = [with_exact_equations(p, root, columns, search) for p in pieces]
     undecided = [*walk.open, *_other_sheets(walk.open, walk.alike)]
     if not all(limb.complete for limb in strata):
         undecided.append(root)
@@ -173,13 +184,16 @@ def _visit(root: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         for equation in stratum.equations:
             branches = [b for a in branches for b in imposed(a, equation, walk.search)]
     for branch in branches:
+        # Where a divisor or the length of an axis is zero there is nothing to look at.
+        if any(divisor == 0 for divisor in branch.divisors):
+            continue
         if not branch.is_special and not walk.known(branch):
             _examine(branch, chosen, walk)
 
 
 def _can_depend(chosen: Sequence[Stratum], walk: _Walk) -> bool:
-    """At least two limbs must constrain the platform."""
-    if walk.generic.loop < walk.height * (len(walk.limbs) - 1):
+    """At least two limbs must constrain the platform, or loops lie inside limbs."""
+    if walk.generic.inner or walk.generic.loop < walk.height * (len(walk.limbs) - 1):
         return True
     return sum(stratum.rank < walk.height for stratum in chosen) > 1
 
@@ -203,16 +217,15 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
     if state is None:
         walk.open.append(branch)
         return
-    if state.loop < walk.generic.loop:
+    if walk.lost(state, walk.generic):
         walk.keep([branch])
         return
     deeper = [
-        stratum
+        Piece(equations, ())
         for limb, own in zip(walk.strata, chosen, strict=True)
-        for stratum in limb.strata
-        if stratum.rank < own.rank
+        for equations in limb.below(own)
     ]
-    elsewhere = [Piece(stratum.equations, ()) for stratum in deeper] + walk.pieces
+    elsewhere = deeper + walk.pieces
     search = replace(
         walk.search,
         found=[],
@@ -236,7 +249,7 @@ def _is_like_another_sheet(branch: Branch, walk: _Walk) -> bool:
     """
     conditions = sorted(str(condition) for condition in branch.conditions)
     columns = [
-        [str(_up_to_sign(branch.column(column))) for column in limb]
+        [str(_up_to_sign(branch.column(column))) for column in columns_of(limb)]
         for limb in walk.limbs
     ]
     signature = f"{conditions}{columns}{[str(p.value) for p in branch.pending]}"

@@ -8,10 +8,10 @@ passive twists.  Whether the platform can move is read from ranks at exact point
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 from math import comb
+from typing import TypeAlias
 
 from screwkit.algebra.batched_ranks import BITS, batched_ranks
 from screwkit.algebra.minors import MinorTable, combined, joined, minor_table
@@ -19,6 +19,8 @@ from screwkit.algebra.modular import independent, rank
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import Assembly
+from screwkit.kinematics.loop_state import LoopState
+from screwkit.loci.hybrid_ranks import HybridRanks
 from screwkit.loci.limb_extensors import (
     Minor,
     PrimitiveExtensor,
@@ -35,31 +37,6 @@ CHEAP = 20_000
 
 CHOICES = 300
 """Choices of columns of which each gives a determinant."""
-
-
-@dataclass(frozen=True)
-class PassiveState:
-    """What can move with some joints locked.
-
-    Attributes:
-        limbs: Ranks of the limbs' passive twists.
-        loop: Rank of the passive columns of the loop constraint matrix.
-        passive: Number of passive joints.
-    """
-
-    limbs: tuple[int, ...]
-    loop: int
-    passive: int
-
-    @property
-    def mobility(self) -> int:
-        """Dimension of the motions that are left."""
-        return self.passive - self.loop
-
-    @property
-    def platform_freedom(self) -> int:
-        """Dimension of the platform's twists that are left."""
-        return self.mobility - (self.passive - sum(self.limbs))
 
 
 class RankTable:
@@ -93,11 +70,9 @@ class RankTable:
         rows = [self._rows[joint] for joint in joints]
         return self._rank(rows)
 
-    def state(self, joints: Collection[str]) -> PassiveState:
+    def state(self, joints: Collection[str]) -> LoopState:
         """What can move when only these joints can."""
-        return PassiveState(
-            self.limb_ranks(joints), self.loop_rank(joints), len(joints)
-        )
+        return LoopState(self.limb_ranks(joints), self.loop_rank(joints), len(joints))
 
     def limb_ranks(self, joints: Collection[str]) -> tuple[int, ...]:
         """Rank of these joints' twists in each limb; computed once per choice."""
@@ -115,6 +90,18 @@ class RankTable:
         return rank(rows, self._prime)
 
 
+Ranks: TypeAlias = RankTable | HybridRanks
+"""Ranks of any passive joints at one exact point."""
+
+
+def _more_generic(one: LoopState, two: LoopState) -> LoopState:
+    """The larger ranks of two random points are the true ones."""
+    if one.inner != two.inner:
+        return max(one, two, key=lambda state: state.inner)
+    limbs = tuple(map(max, one.limbs, two.limbs))
+    return LoopState(limbs, max(one.loop, two.loop), one.freedoms, one.inner)
+
+
 class PassiveSystem:
     """All choices of locked joints of one assembly."""
 
@@ -124,29 +111,35 @@ class PassiveSystem:
         self._primitives: dict[tuple[int, frozenset[str]], PrimitiveExtensor] = {}
 
     @cached_property
-    def generic(self) -> tuple[RankTable, RankTable]:
+    def generic(self) -> tuple[Ranks, Ranks]:
         """Ranks at two random exact postures."""
         first, second = (
-            RankTable(
-                [{j: twists[j] for j in limb.joints} for limb in self.assembly.limbs],
-                prime,
-            )
+            self._table(twists, prime)
             for twists, prime in self.assembly.random_postures
         )
         return first, second
 
-    def generic_state(self, passive: Collection[str]) -> PassiveState:
+    def _table(self, twists: Mapping[str, Sequence[int]], prime: int) -> Ranks:
+        if self.assembly.has_blocks:
+            return HybridRanks(self.assembly, twists, prime)
+        return self._rank_table(twists, prime)
+
+    def _rank_table(self, twists: Mapping[str, Sequence[int]], prime: int) -> RankTable:
+        limbs = self.assembly.limbs
+        return RankTable([{j: twists[j] for j in x.joints} for x in limbs], prime)
+
+    def generic_state(self, passive: Collection[str]) -> LoopState:
         """Generic over all symbols: the larger rank of two points is the true one."""
         one, two = (table.state(passive) for table in self.generic)
-        return PassiveState(
-            tuple(map(max, one.limbs, two.limbs)), max(one.loop, two.loop), one.passive
-        )
+        return _more_generic(one, two)
 
-    def generic_states(self, choices: Sequence[Collection[str]]) -> list[PassiveState]:
+    def generic_states(self, choices: Sequence[Collection[str]]) -> list[LoopState]:
         """`generic_state` of many choices of one size, their loop ranks at once."""
         one, two = self.generic
+        if isinstance(one, HybridRanks) or isinstance(two, HybridRanks):
+            return [self.generic_state(choice) for choice in choices]
         return [
-            PassiveState(
+            LoopState(
                 tuple(map(max, one.limb_ranks(choice), two.limb_ranks(choice))),
                 loop,
                 len(choice),
@@ -160,9 +153,7 @@ class PassiveSystem:
     def _small(self) -> tuple[dict[str, int], list[list[int]], int]:
         """Rows of the loop constraint matrix modulo a 31-bit prime, by joint."""
         twists, prime = self.assembly.random_twists(3, BITS)
-        table = RankTable(
-            [{j: twists[j] for j in limb.joints} for limb in self.assembly.limbs], prime
-        )
+        table = self._rank_table(twists, prime)
         order = {joint: number for number, joint in enumerate(self.joints)}
         return order, [table.row(joint) for joint in self.joints], prime
 
@@ -185,19 +176,14 @@ class PassiveSystem:
                 found[position] = max(value, self.generic[0].loop_rank(joints))
         return [int(value) for value in found]
 
-    def table_at(self, point: Point, prime: int) -> RankTable:
+    def table_at(self, point: Point, prime: int) -> Ranks:
         """Ranks at an exact point of the common frame's ring."""
         framed = self.assembly.common_twists
-        return RankTable(
-            [
-                {
-                    j: [residue(x, point, prime) for x in framed.column(j)]
-                    for j in limb.joints
-                }
-                for limb in self.assembly.limbs
-            ],
-            prime,
-        )
+        at_point = {
+            joint: [residue(x, point, prime) for x in framed.column(joint)]
+            for joint in self.joints
+        }
+        return self._table(at_point, prime)
 
     @cached_property
     def _tables(self) -> tuple[MinorTable[Polynomial], ...]:
@@ -224,9 +210,26 @@ class PassiveSystem:
         return len(passive) == self.height * (len(self.assembly.limbs) - 1)
 
     def size(self, passive: Collection[str]) -> int:
-        """Products of terms that a determinant of these columns may take."""
+        """Products of terms that a determinant of these columns may take.
+
+        Of limbs with loops inside no determinant is expanded; there it is the number of
+        freedoms inside that are locked, and one more where it is not the declared
+        scheme that is left.
+        """
+        if self.assembly.has_blocks:
+            locked = {joint for joint in self.joints if joint not in passive}
+            other = locked != {*self.assembly.mechanism.actuated}
+            return self._locked_inside(passive) + other
         extensors = [self._own(i, passive) for i in range(len(self.assembly.limbs))]
         return cost([e.coordinates for e in extensors], ((),) * len(extensors))
+
+    def _locked_inside(self, passive: Collection[str]) -> int:
+        return sum(
+            joint not in passive
+            and self.assembly.joint_of(joint).name not in (limb.elements or limb.chain)
+            for limb in self.assembly.limbs
+            for joint in limb.joints
+        )
 
     def maximal_minors(self, passive: Collection[str]) -> Iterator[Minor]:
         """Polynomials that all vanish where these columns become dependent.

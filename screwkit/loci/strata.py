@@ -27,11 +27,14 @@ class Stratum:
         equations: In the ring of the limb, or of all limbs; empty for the whole space.
         rank: Generic on the stratum.
         codimension: Of the stratum.
+        inside: The equations of the strata inside it, of a limb with loops; None for a
+            serial limb, where they are those of lower rank.
     """
 
     equations: tuple[Polynomial, ...]
     rank: int
     codimension: int
+    inside: tuple[tuple[Polynomial, ...], ...] | None = None
 
 
 @dataclass(frozen=True)
@@ -44,6 +47,12 @@ class LimbStrata:
 
     strata: tuple[Stratum, ...]
     complete: bool
+
+    def below(self, own: Stratum) -> list[tuple[Polynomial, ...]]:
+        """The equations of strata on which the limb is another than on ``own``."""
+        if own.inside is not None:
+            return list(own.inside)
+        return [s.equations for s in self.strata if s.rank < own.rank]
 
 
 def limb_strata(assembly: Assembly, limb: LimbChain) -> LimbStrata:
@@ -83,9 +92,17 @@ def in_ring(
 ) -> LimbStrata:
     """The same strata with their equations in another ring."""
     convert = Conversion(source, target)
+
+    def moved(equations: tuple[Polynomial, ...]) -> tuple[Polynomial, ...]:
+        return tuple(convert(equation) for equation in equations)
+
     return LimbStrata(
         tuple(
-            replace(s, equations=tuple(convert(e) for e in s.equations))
+            replace(
+                s,
+                equations=moved(s.equations),
+                inside=None if s.inside is None else tuple(map(moved, s.inside)),
+            )
             for s in strata.strata
         ),
         strata.complete,

@@ -19,6 +19,7 @@ from screwkit.conventions import DIRECTION
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.subspaces import PlatformSystem
 from screwkit.loci.features import Features, listed
+from screwkit.loci.hybrid_ranks import HybridRanks
 from screwkit.loci.meanings import Residue, features_at, features_of
 from screwkit.loci.passive import PassiveSystem
 from screwkit.loci.remaining_motion import Motion, motion_in_words
@@ -95,11 +96,8 @@ class Witnesses:
     ) -> PlatformSystem:
         """What holds the platform at an exact point."""
         twists, prime = at_point
-        limbs = [
-            [twists[j] for j in limb.joints if j in passive]
-            for limb in self._assembly.limbs
-        ]
-        return PlatformSystem.held_by(limbs, prime)
+        motions = HybridRanks(self._assembly, twists, prime).motions(passive)
+        return PlatformSystem.held_by([motion.twists for motion in motions], prime)
 
     def _one_motion(self, passive: Collection[str]) -> Motion:
         """The remaining motion as all exact points show it."""
@@ -135,13 +133,26 @@ class Witnesses:
     def _shared_axis(self, passive: Collection[str]) -> str | None:
         """Passive joints, one in every limb, with one twist up to a factor."""
         choices = [
-            [joint for joint in limb.joints if joint in passive]
-            for limb in self._assembly.limbs
+            [joint for joint in own if joint in passive] for own in self._in_series
         ]
         for joints in product(*choices):
             if len(joints) > 1 and self._same_twist(joints):
                 return self._sharing(joints)
         return None
+
+    @cached_property
+    def _in_series(self) -> list[list[str]]:
+        """By limb the freedoms that carry its whole end, not a chain of a block."""
+        assembly = self._assembly
+        return [
+            [
+                joint
+                for joint in limb.joints
+                if limb.elements is None
+                or assembly.joint_of(joint).name in limb.elements
+            ]
+            for limb in assembly.limbs
+        ]
 
     def _sharing(self, joints: Sequence[str]) -> str:
         """Joints with one twist, in words."""

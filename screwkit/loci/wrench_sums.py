@@ -26,14 +26,21 @@ from typing import TypeAlias
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.minors import combined, joined
-from screwkit.algebra.modular import annihilator, echelon, independent
-from screwkit.algebra.modular import rank as residue_rank
-from screwkit.algebra.points import Point, rank_at, residue
+from screwkit.algebra.modular import annihilator, independent, rank
+from screwkit.algebra.points import Point, residue
 from screwkit.algebra.ring import Ring
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import loop_rows
-from screwkit.loci.rank_drop import Column, extensors
+from screwkit.kinematics.limb_parts import (
+    Parts,
+    PartsMotion,
+    SideBySide,
+    columns_of,
+    motion_at,
+)
+from screwkit.loci.limb_systems import UnclearError, limb_system
+from screwkit.loci.rank_drop import extensors
 from screwkit.loci.wrench_vectors import overlap_minors, spanning_wrenches
 
 Extensor: TypeAlias = Mapping[int, Polynomial]
@@ -131,7 +138,7 @@ def cost(limbs: Sequence[Extensor], units: Units) -> int:
 
 def dependent_zeros(
     branch: Branch,
-    limbs: Sequence[Sequence[Column]],
+    limbs: Sequence[Parts],
     search: Search,
     *,
     within: bool = False,
@@ -140,18 +147,18 @@ def dependent_zeros(
 
     Args:
         branch: Irreducible.
-        limbs: Twists of each limb, in coordinates that tell them apart.
+        limbs: Parts of each limb, in coordinates that tell their twists apart.
         search: Budget, known factors, and what to leave out.
         within: Look only where the limbs keep their ranks; their common factors are
-            left out.
+            left out.  Of limbs with loops inside nothing else is known.
     """
     points = branch.points
     if len(limbs) < 2 or not any(limbs):
         return Dependence((), ())
     if not points:
         return Dependence((), (branch,))
-    rows = loop_rows(limbs)
-    rank = max(rank_at(rows, *point) for point in points)
+    height = height_of(limbs)
+    generic = max(_rank(limbs, height, *point) for point in points)
     found: list[Branch] = []
     left: list[Branch] = []
     waiting = [branch]
@@ -169,16 +176,33 @@ def dependent_zeros(
             places = part.points
             if not places:
                 left.append(part)
-            elif max(rank_at(rows, *point) for point in places) < rank:
+            elif max(_rank(limbs, height, *point) for point in places) < generic:
                 found.append(part)
             else:
                 waiting.append(part)
     return Dependence(tuple(found), tuple(left))
 
 
+def height_of(limbs: Sequence[Parts]) -> int:
+    """Coordinates of the twists of these limbs."""
+    return max((len(c) for limb in limbs for c in columns_of(limb)), default=0)
+
+
+def _motions(
+    limbs: Sequence[Parts], height: int, point: Point, prime: int
+) -> list[PartsMotion]:
+    return [motion_at(limb, height, point, prime) for limb in limbs]
+
+
+def _rank(limbs: Sequence[Parts], height: int, point: Point, prime: int) -> int:
+    """Rank of the equations that the limbs' twists must agree."""
+    motions = _motions(limbs, height, point, prime)
+    return rank(loop_rows([motion.twists for motion in motions]), prime)
+
+
 def _telling(
     branch: Branch,
-    limbs: Sequence[Sequence[Column]],
+    limbs: Sequence[Parts],
     search: Search,
     *,
     within: bool,
@@ -189,26 +213,20 @@ def _telling(
     """
     if not branch.points:
         return None
+    height = height_of(limbs)
     point, prime = max(
-        branch.points, key=lambda at: sum(rank_at(limb, *at) for limb in limbs)
+        branch.points,
+        key=lambda at: sum(m.dimension for m in _motions(limbs, height, *at)),
     )
-    at_point: list[list[list[int]]] = []
+    motions = _motions(limbs, height, point, prime)
     charts: list[list[Extensor]] = []
-    for limb in limbs:
-        if not limb:
-            at_point.append([])
-            charts.append([{0: branch.ring.one}])
-            continue
-        rank = rank_at(limb, point, prime)
-        residues = [[residue(x, point, prime) for x in column] for column in limb]
-        own = extensors(branch, limb, rank, search.library if within else None)
+    for limb, motion in zip(limbs, motions, strict=True):
+        own = _charts(branch, limb, motion, search, reduced=within)
         own.sort(key=lambda chart: not _is_there(chart, point, prime))
         if not own or not _is_there(own[0], point, prime):
             return None
-        at_point.append(echelon(residues, prime))
-        charts.append(list(own))
-    columns = [column for limb in limbs for column in limb]
-    height = len(columns[0])
+        charts.append(own)
+    at_point = [motion.twists for motion in motions]
     units = list(filling_units(at_point, height, prime))
     first = [own[0] for own in charts]
     units.sort(key=lambda one: (cost(first, one), one))
@@ -238,11 +256,32 @@ def _overlap(limbs: Sequence[Sequence[Sequence[int]]], height: int, prime: int) 
         annihilator(limb, height, prime) if limb else _units(height) for limb in limbs
     ]
     together = [wrench for system in systems for wrench in system]
-    return residue_rank(together, prime) < len(together)
+    return rank(together, prime) < len(together)
 
 
 def _units(height: int) -> list[list[int]]:
     return [[int(i == k) for i in range(height)] for k in range(height)]
+
+
+def _charts(
+    branch: Branch,
+    limb: Parts,
+    motion: PartsMotion,
+    search: Search,
+    *,
+    reduced: bool,
+) -> list[Extensor]:
+    """Extensors of a limb's twists that hold in general on a branch."""
+    if not limb:
+        return [{0: branch.ring.one}]
+    columns = [part for part in limb if not isinstance(part, SideBySide)]
+    if len(columns) == len(limb):
+        library = search.library if reduced else None
+        return list(extensors(branch, columns, motion.dimension, library))
+    try:
+        return [limb_system(branch, limb, motion.height, search.library).extensor]
+    except UnclearError:
+        return []
 
 
 def _is_there(chart: Extensor, point: Point, prime: int) -> bool:

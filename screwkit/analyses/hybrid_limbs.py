@@ -1,0 +1,84 @@
+"""Limb singularities of limbs with loops inside.
+
+The twist system of such a limb is what its joints let the platform do while the loops
+inside stay closed.  It loses dimensions where more of the joints' motions leave the
+platform still; on strata where the loops inside lose a constraint it may win them back.
+
+References: [Zlatanov2002], [Hunt1978] §13.
+"""
+
+from __future__ import annotations
+
+from screwkit.algebra.branches import Branch
+from screwkit.kinematics.assembly import Assembly, LimbChain
+from screwkit.kinematics.told_parts import own_parts
+from screwkit.loci.hybrid_strata import HybridStrata, generic_motion, hybrid_strata
+from screwkit.loci.loop_drop import undecided
+from screwkit.loci.loose_equations import about_loose, loose
+from screwkit.loci.meanings import Meanings
+from screwkit.loci.strata import LimbStrata, limb_strata
+from screwkit.loci.wording import all_solutions, equations_of, solved_equations
+from screwkit.results.singularities import Component, LimbSingularities
+
+
+def strata_of(assembly: Assembly, limb: LimbChain) -> LimbStrata:
+    """The strata of any limb, in its own ring."""
+    if limb.elements is None:
+        return limb_strata(assembly, limb)
+    return _strata(assembly, limb).by_equations
+
+
+def _strata(assembly: Assembly, limb: LimbChain) -> HybridStrata:
+    ring = assembly.limb_twists[limb.name].ring
+    parts, height = own_parts(assembly, limb)
+    return hybrid_strata(assembly.root(ring), parts, height, assembly.library(ring))
+
+
+def hybrid_limb(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
+    """Where the twist system of a limb with loops inside loses dimensions."""
+    framed = assembly.limb_twists[limb.name]
+    root, library = assembly.root(framed.ring), assembly.library(framed.ring)
+    strata = _strata(assembly, limb)
+    meanings = Meanings(framed, root, library)
+    components = tuple(
+        Component(
+            equations=equations_of(piece),
+            codimension=piece.codimension,
+            solutions=all_solutions(piece),
+            solved=solved_equations(piece),
+            rank=dimension,
+            geometry=meanings.of(piece),
+            wrench_dimension=assembly.dimension - dimension,
+        )
+        for piece, dimension in strata.narrow
+    )
+    parts, height = own_parts(assembly, limb)
+    generic = strata.strata[0].dimension
+
+    def is_singular(branch: Branch) -> bool:
+        motion = generic_motion([branch], parts, height)
+        return motion is not None and motion.dimension < generic
+
+    pieces = [piece for piece, _ in strata.narrow]
+    unclear = about_loose(len(loose(root, pieces, is_singular, library)))
+    left = undecided(strata.open) if strata.open else ""
+    complete = not strata.open and not unclear
+    return LimbSingularities(
+        limb=limb.name,
+        joints=limb.joints,
+        generic_rank=generic,
+        complete=complete,
+        components=components,
+        proof=_proof(strata) if complete else "",
+        reason="; ".join(filter(None, [left, unclear])),
+    )
+
+
+def _proof(strata: HybridStrata) -> str:
+    count = len(strata.strata) - 1
+    if not count:
+        return "its twist system, the loops inside closed, is nowhere another one"
+    outside = "one stratum, which was searched in turn"
+    if count > 1:
+        outside = f"{count} strata, each of which was searched in turn"
+    return f"the extensor of its twists, loops inside closed, holds outside {outside}"
