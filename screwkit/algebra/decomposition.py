@@ -255,7 +255,8 @@ def _beside_a_system(branch: Branch, search: Search) -> tuple[Branch, ...] | Non
         zeros = [system.determinant, *(values[k] for k in system.conditions)]
         for p in before.pending:
             zeros += [zeros[0] - p.value, zeros[0] + p.value]
-        spurious = common_zeros(before, zeros, _settling(branch, search))
+        settling = replace(_settling(branch, search), budget=4 * _SETTLING)
+        spurious = common_zeros(before, zeros, settling)
         if spurious.complete:
             return spurious.branches
     return None
@@ -303,8 +304,8 @@ def _children(
 
 def _as_large(branch: Branch, parts: Split, search: Search) -> list[Branch]:
     """Parts of the rest that are no limits of the solved part: those of its size."""
-    inner = Search(search.library, budget=_SETTLING, largest=search.largest)
     size = parts.solved.codimension
+    inner = _settling(parts.solved, search)
     rest = common_zeros(replace(branch, thorough=True), parts.left, inner)
     found = [b for b in rest.branches if b.codimension <= size]
     for b in rest.open:
