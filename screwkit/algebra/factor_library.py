@@ -13,9 +13,10 @@ from dataclasses import dataclass, field
 from screwkit.algebra.division import Divisor, exact_quotient
 from screwkit.algebra.half_angle import Form, HalfAngles
 from screwkit.algebra.irreducible import Shape, is_irreducible, shape
-from screwkit.algebra.over_roots import Root, quotient_number
+from screwkit.algebra.over_roots import quotient_number, square_roots
 from screwkit.algebra.points import residue
-from screwkit.algebra.restrictions import Layout, Probe, Restrictions
+from screwkit.algebra.restrictions import Layout, Probe, Restrictions, divides
+from screwkit.algebra.scaled_symbols import scaled
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
 _SHORT = 12  # terms; factored as they stand before anything else
@@ -77,6 +78,7 @@ class FactorLibrary:
         self._probe = Probe(self._layout, 7)
         self._points = [self._probe.point(moved) for moved in (False, True)]
         self._roots = square_roots(ring)
+        self._rational: FactorLibrary | None = None
         self._pieces: dict[str, list[tuple[Factor, int]]] = {}
         self._known: list[_Known] = []
         self._residues: dict[str, tuple[int, ...]] = {}
@@ -210,7 +212,7 @@ class FactorLibrary:
         for entry in self._known:
             multiplicity = 0
             parts = entry.restrictions
-            while _divides(parts, known):
+            while divides(parts, known):
                 quotient = entry.divisor.divide(polynomial)
                 if quotient is None:
                     break
@@ -245,6 +247,9 @@ class FactorLibrary:
         if number != 1:
             rest = self.split(primitive(polynomial / number), known)
             return collected([*self.split(number), *rest])
+        parts = self._in_scaled_symbols(polynomial)
+        if parts is not None:
+            return parts
         short = len(polynomial) <= _SHORT
         pieces = polynomial.factor()[1] if short else []
         if len(pieces) > 1 or (pieces and pieces[0][1] > 1):
@@ -289,6 +294,28 @@ class FactorLibrary:
             (self._final(form, proved=True), m) for form, m in halves.paired(found)
         ]
         return parts if number is None else [(self.irreducible(number), 1), *parts]
+
+    def _in_scaled_symbols(
+        self, polynomial: Polynomial
+    ) -> list[tuple[Factor, int]] | None:
+        """Factors that show when some symbols are counted in units of a root."""
+        form = scaled(self.ring, self._layout, polynomial)
+        if form is None or form.polynomial.is_constant():
+            return None
+        if self._rational is None:
+            self._rational = FactorLibrary(self.ring)
+        inner = self._rational.factored(form.polynomial)
+        if any(part.form is not None for part, _ in inner):
+            return None
+        found, roots = [], int(form.odd)
+        for part, multiplicity in inner:
+            factor, odd = form.unscaled(part.polynomial)
+            found.append((self.irreducible(factor, part.certified), multiplicity))
+            roots += odd * multiplicity
+        if roots & 1:
+            root = self.ring.context.gens()[form.root]
+            found.append((self.irreducible(root), 1))
+        return collected(found)
 
     def _parted(
         self, polynomial: Polynomial, found: Shape
@@ -356,23 +383,6 @@ class FactorLibrary:
             certified = proved
             self.factors[key] = Factor(key, equations, certified, form)
         return self.factors[key]
-
-
-def square_roots(ring: TrigonometricRing) -> tuple[Root, ...]:
-    """The algebraic numbers of a ring, if all are square roots of numbers."""
-    numbers = [(i, m) for i, m in ring.algebraic_relations() if isinstance(m, tuple)]
-    if any(len(minimal) != 3 or minimal[1] for _, minimal in numbers):
-        return ()
-    return tuple(Root(place, -minimal[0]) for place, minimal in numbers)
-
-
-def _divides(parts: Restrictions, whole: Restrictions) -> bool:
-    """Whether every restriction divides."""
-    for variable, restricted in parts.items():
-        other = whole.get(variable)
-        if other is None or other % restricted != 0:
-            return False
-    return True
 
 
 def collected(

@@ -22,7 +22,7 @@ from flint import Ordering, fmpq, nmod_mpoly_ctx, nmod_poly
 from flint.utils.flint_exceptions import DomainError
 
 from screwkit.algebra.modular import prime_for
-from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
 TERMS = 40
 """Of a polynomial that is factored."""
@@ -38,6 +38,14 @@ class Root(NamedTuple):
 
     place: int
     square: int
+
+
+def square_roots(ring: TrigonometricRing) -> tuple[Root, ...]:
+    """The algebraic numbers of a ring, if all are square roots of numbers."""
+    numbers = [(i, m) for i, m in ring.algebraic_relations() if isinstance(m, tuple)]
+    if any(len(minimal) != 3 or minimal[1] for _, minimal in numbers):
+        return ()
+    return tuple(Root(place, -minimal[0]) for place, minimal in numbers)
 
 
 def factors_over_roots(

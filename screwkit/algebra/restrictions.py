@@ -299,3 +299,12 @@ def _constants_modulo(ring: TrigonometricRing) -> tuple[int, tuple[int, ...]]:
         roots = [nmod_poly(list(m), prime).roots() for m in minimal]
         if all(roots):
             return prime, tuple(int(found[0][0]) for found in roots)
+
+
+def divides(parts: Restrictions, whole: Restrictions) -> bool:
+    """Whether every restriction divides."""
+    for variable, restricted in parts.items():
+        other = whole.get(variable)
+        if other is None or other % restricted != 0:
+            return False
+    return True
