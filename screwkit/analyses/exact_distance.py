@@ -105,10 +105,9 @@ def _planes(
         return None
     levels, normal = [], None
     for text in solution.values:
-        parts = _linear(
-            parse(text, [*angles, *dimensions], limits=RESULT_LIMITS), angles
-        )
-        if parts is None:
+        level = parse(text, limits=RESULT_LIMITS)
+        parts = _linear(level, angles)
+        if parts is None or not symbols_of(level) <= {*angles, *dimensions}:
             return None
         slopes, rest = parts
         own = {n: -k for n, k in slopes.items()}
