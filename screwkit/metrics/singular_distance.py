@@ -10,6 +10,7 @@ import numpy as np
 from screwkit.algebra.batch import Array
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.expression import Expression
+from screwkit.errors import UndecidedError
 from screwkit.finite.posture_model import PostureModel, posture_model
 from screwkit.finite.spanning_forest import forest_of
 from screwkit.kinematics.loops import ring_at
@@ -91,10 +92,19 @@ class Search:
         kept = [
             one
             for one in found
-            if counts(self._model_at(one.point))
+            if self._counts(one.point, counts)
             or self._counts_beside(one.point, own, counts)
         ]
         return self._shown(nearest_connected(self.space, kept))
+
+    def _counts(self, point: Array, counts: Callable[[PostureModel], bool]) -> bool:
+        """Whether a posture counts; none does where an axis has no direction."""
+        try:
+            with np.errstate(all="ignore"):
+                model = self._model_at(point)
+        except UndecidedError:
+            return False
+        return counts(model)
 
     def _counts_beside(
         self, point: Array, equations: Batched, counts: Callable[[PostureModel], bool]
@@ -109,14 +119,14 @@ class Search:
         for _ in range(BESIDE):
             step = random.normal(size=len(point))
             beside = restored(together, point + STEP * step / np.linalg.norm(step))
-            if beside is not None and counts(self._model_at(beside)):
+            if beside is not None and self._counts(beside, counts):
                 return True
         return False
 
     def everywhere(self, counts: Callable[[PostureModel], bool]) -> bool:
         """Whether all postures that were started from count."""
         others = self.starts[1:] or self.starts
-        return all(counts(self._model_at(point)) for point in others)
+        return all(self._counts(point, counts) for point in others)
 
     def where_limb_falls(
         self, labels: Sequence[str], counts: Callable[[PostureModel], bool]
