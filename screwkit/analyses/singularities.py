@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.analyses.actuation_parts import actuation_parts
@@ -77,13 +78,17 @@ def singularities(
     if scheme:
         progress("actuation", f"{len(assembly.joints) - len(scheme)} passive joints")
         actuation = actuation_singularities(assembly, scheme)
+    components = [c for limb in limbs for c in limb.components]
+    components += constraint.components
+    components += actuation.components if actuation is not None else ()
+    listed = [equation for c in components for equation in c.equations]
     return Singularities(
         case=assembly.mechanism.name,
         title=assembly.mechanism.title,
         limb=tuple(limbs),
         constraint=constraint,
         actuation=actuation,
-        assumptions=assumptions_in_words(assembly),
+        assumptions=(*assumptions_in_words(assembly), *_unsplit(assembly, listed)),
         platform_name=assembly.mechanism.platform,
     )
 
@@ -101,6 +106,18 @@ def assumptions_in_words(assembly: Assembly) -> tuple[str, ...]:
             else f"no special value of the dimension {parameters[0]}"
         )
     return tuple(words)
+
+
+def _unsplit(assembly: Assembly, listed: Sequence[str]) -> list[str]:
+    """Equations that were not shown to be irreducible, in words."""
+    lengths = {
+        equation_text(ring, factor.polynomial): len(factor.polynomial)
+        for ring, library in assembly.libraries.items()
+        for factor in library.factors.values()
+        if not factor.certified and factor.form is None
+    }
+    found = sorted({lengths[text] for text in listed if text in lengths})
+    return [f"that the equation of {terms} terms does not split" for terms in found]
 
 
 def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities:

@@ -277,6 +277,11 @@ class Assembly:
             self._libraries[ring] = FactorLibrary(ring)
         return self._libraries[ring]
 
+    @property
+    def libraries(self) -> Mapping[TrigonometricRing, FactorLibrary]:
+        """The factors met so far, by ring."""
+        return self._libraries
+
     def joint_of(self, label: str) -> Joint:
         """The joint of a freedom."""
         return self.mechanism.joint(self._names[label])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 
 import numpy as np
@@ -285,3 +286,15 @@ def test_parts_are_given_as_soon_as_they_are_there() -> None:
     names = [f"limb {limb.limb}" for limb in answer.limb]
     assert [name for name, _ in parts] == [*names, "constraint"]
     assert [part for _, part in parts] == [*answer.limb, answer.constraint]
+
+
+def test_an_equation_whose_factors_are_not_certified_is_assumed_not_to_split() -> None:
+    """That of the 3-RPS is too long to be proved irreducible over the root of 3."""
+    answer = sk.singularities(sk.load("3rps"))
+    assert answer.actuation is not None
+    (component,) = answer.actuation.components
+    terms = len(re.split(" [+-] ", component.equations[0]))
+    assert f"that the equation of {terms} terms does not split" in answer.assumptions
+    for name in ("3rpr_planar", "five_bar"):
+        assumed = sk.singularities(sk.load(name)).assumptions
+        assert not any("does not split" in text for text in assumed)
