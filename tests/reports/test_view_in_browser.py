@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -63,10 +62,15 @@ joints:
 def browser() -> Iterator[Chrome]:
     options = Options()
     options.binary_location = str(BROWSER)
-    for argument in ("headless=new", "window-size=900,900", "disable-gpu"):
+    # Containers give little shared memory and no user namespaces; the pages are ours.
+    for argument in (
+        "headless=new",
+        "window-size=900,900",
+        "disable-gpu",
+        "disable-dev-shm-usage",
+        "no-sandbox",
+    ):
         options.add_argument(f"--{argument}")
-    if os.geteuid() == 0:  # the browser keeps its sandbox for other users
-        options.add_argument("--no-sandbox")
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     driver = Chrome(options=options, service=Service(str(DRIVER)))
     yield driver
