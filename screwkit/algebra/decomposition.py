@@ -309,10 +309,15 @@ def _as_large(branch: Branch, parts: Split, search: Search) -> list[Branch]:
     rest = common_zeros(replace(branch, thorough=True), parts.left, inner)
     found = [b for b in rest.branches if b.codimension <= size]
     for b in rest.open:
-        if b.codimension == size and b.points:
-            whole = not any(residue(p, *at) for at in b.points for p in parts.left)
-            found += [b] if whole else []
-        elif b.codimension <= size:
+        if b.codimension > size:
+            continue
+        whole = b.points and not any(
+            residue(p, *at) for at in b.points for p in parts.left
+        )
+        # With several pending conditions it may consist of parts, some of them zeros.
+        if b.codimension == size and whole:
+            found.append(b)
+        elif b.codimension < size or not b.points or len(b.pending) > 1:
             search.unfinished.append(b)
     return found
 

@@ -51,6 +51,17 @@ def minor_table(
     return table
 
 
+def minors_of_size(ring: Ring[S], columns: Sequence[Sequence[S]], size: int) -> list[S]:
+    """All minors of some columns that have a size and are not zero."""
+    table = minor_table(ring, columns, len(columns[0]), size)
+    return [
+        minor
+        for chosen, minors in table.items()
+        if chosen.bit_count() == size
+        for minor in minors.values()
+    ]
+
+
 def _extended(
     ring: Ring[S], minors: Mapping[Bits, S], column: Sequence[tuple[int, S]]
 ) -> dict[Bits, S]:

@@ -10,6 +10,7 @@ References: [Zlatanov2002], [Hunt1978] §13.
 from __future__ import annotations
 
 from screwkit.algebra.branches import Branch
+from screwkit.analyses.limb_component import limb_component
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.told_parts import own_parts
 from screwkit.loci.hybrid_strata import HybridStrata, generic_motion, hybrid_strata
@@ -17,8 +18,7 @@ from screwkit.loci.loop_drop import undecided
 from screwkit.loci.loose_equations import about_loose, loose
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.strata import LimbStrata, limb_strata
-from screwkit.loci.wording import all_solutions, equations_of, solved_equations
-from screwkit.results.singularities import Component, LimbSingularities
+from screwkit.results.singularities import LimbSingularities
 
 
 def strata_of(assembly: Assembly, limb: LimbChain) -> LimbStrata:
@@ -41,15 +41,7 @@ def hybrid_limb(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
     strata = _strata(assembly, limb)
     meanings = Meanings(framed, root, library)
     components = tuple(
-        Component(
-            equations=equations_of(piece),
-            codimension=piece.codimension,
-            solutions=all_solutions(piece),
-            solved=solved_equations(piece),
-            rank=dimension,
-            geometry=meanings.of(piece),
-            wrench_dimension=assembly.dimension - dimension,
-        )
+        limb_component(piece, dimension, meanings, assembly.dimension)
         for piece, dimension in strata.narrow
     )
     parts, height = own_parts(assembly, limb)

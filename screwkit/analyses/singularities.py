@@ -14,6 +14,7 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.analyses.actuation_parts import actuation_parts
 from screwkit.analyses.hybrid_limbs import hybrid_limb, strata_of
+from screwkit.analyses.limb_component import limb_component
 from screwkit.analyses.superbracket import superbracket
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.limb_parts import Parts
@@ -133,17 +134,7 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
     components = []
     for piece in pieces:
         rank = max(generic_rank(branch, columns) for branch in piece.branches)
-        components.append(
-            Component(
-                equations=equations_of(piece),
-                codimension=piece.codimension,
-                solutions=all_solutions(piece),
-                solved=solved_equations(piece),
-                rank=rank,
-                geometry=meanings.of(piece),
-                wrench_dimension=assembly.dimension - rank,
-            )
-        )
+        components.append(limb_component(piece, rank, meanings, assembly.dimension))
     complete = drop.decomposition.complete
     return LimbSingularities(
         limb=limb.name,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.points import Point, residue
@@ -122,7 +123,7 @@ def told_apart(pieces: Sequence[Piece], known: Sequence[Polynomial]) -> list[Pie
             telling = (
                 f for f in known if _vanishes(f, piece) and not _vanishes(f, other)
             )
-            extra += [f for f, _ in zip(telling, range(1), strict=False)]
+            extra += islice(telling, 1)
         found.append(replace(piece, equations=(*piece.equations, *extra)))
     return found
 

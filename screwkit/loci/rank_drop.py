@@ -15,7 +15,7 @@ from screwkit.algebra.branches import Branch
 from screwkit.algebra.common_factors import without_common_factors
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factor_library import FactorLibrary
-from screwkit.algebra.minors import minor_table
+from screwkit.algebra.minors import minor_table, minors_of_size
 from screwkit.algebra.nowhere_zero import without_nowhere_zero
 from screwkit.algebra.points import rank_at
 from screwkit.algebra.search import Decomposition, Search
@@ -65,13 +65,7 @@ def maximal_minors(
 ) -> list[Polynomial]:
     """All non-zero minors of size ``rank``, each once up to a factor."""
     on_branch = [branch.column(column) for column in columns]
-    table = minor_table(branch.ring, on_branch, len(columns[0]), rank)
-    return [
-        minor
-        for chosen, minors in table.items()
-        if chosen.bit_count() == rank
-        for minor in minors.values()
-    ]
+    return minors_of_size(branch.ring, on_branch, rank)
 
 
 def extensors(

@@ -20,7 +20,7 @@ from math import comb, prod
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.common_factors import without_common_factors
 from screwkit.algebra.factor_library import FactorLibrary
-from screwkit.algebra.minors import minor_table
+from screwkit.algebra.minors import minors_of_size
 from screwkit.algebra.modular import independent, rank
 from screwkit.algebra.nowhere_zero import without_nowhere_zero
 from screwkit.algebra.points import Point, residue
@@ -112,18 +112,8 @@ def overlap_minors(
         if prod(map(_size, own)) > dearest or sum(map(len, found)) > longest:
             break
         if every:
-            return _minors(branch, vectors, size)
+            return minors_of_size(branch.ring, vectors, size)
         if key not in seen:
             seen.add(key)
-            found += _minors(branch, own, size)
+            found += minors_of_size(branch.ring, own, size)
     return found
-
-
-def _minors(branch: Branch, vectors: Sequence[Vector], size: int) -> list[Polynomial]:
-    table = minor_table(branch.ring, vectors, len(vectors[0]), size)
-    return [
-        minor
-        for chosen, minors in table.items()
-        if chosen.bit_count() == size
-        for minor in minors.values()
-    ]
