@@ -9,11 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from fractions import Fraction
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from screwkit.algebra.expression import Expression
+from screwkit.algebra.floats import half_turns
 from screwkit.algebra.ring import Known
 from screwkit.errors import UnknownNameError
 
@@ -25,8 +27,11 @@ class BatchRing:
 
     Attributes:
         values: An array for every symbol, all of one broadcastable shape.
+        plain: See `Ring`.
         known: See `Ring`.
     """
+
+    plain: Final = True
 
     def __init__(self, values: Mapping[str, Array | float]) -> None:
         self.values = {name: np.asarray(v, dtype=float) for name, v in values.items()}
@@ -70,12 +75,7 @@ class BatchRing:
 
     def half_turns(self, count: Fraction) -> tuple[Array, Array]:
         """Exact at multiples of π/2, so that orthogonal axes stay orthogonal."""
-        quarter = 2 * count
-        if quarter.denominator == 1:
-            cosine = (1.0, 0.0, -1.0, 0.0)[int(quarter) % 4]
-            sine = (0.0, 1.0, 0.0, -1.0)[int(quarter) % 4]
-        else:
-            cosine, sine = math.cos(count * math.pi), math.sin(count * math.pi)
+        cosine, sine = half_turns(count)
         return np.asarray(cosine), np.asarray(sine)
 
     def radians(self, value: Fraction) -> tuple[Array, Array]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Final
 
 from screwkit.algebra.evaluation import add_angles, evaluate, multiply_angle
 from screwkit.algebra.exact_point import PointRing
@@ -60,6 +61,8 @@ class DualRing:
         turns: (cos, sin) of the basis angles.
         numbers: Symbols.
     """
+
+    plain: Final = True
 
     def __init__(
         self,

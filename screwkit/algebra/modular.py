@@ -12,7 +12,7 @@ import random
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import Any, Final, TypeAlias
 
 from flint import fmpz, nmod, nmod_mat, nmod_poly
 
@@ -46,8 +46,12 @@ class ModularRing:
         prime: The modulus.
         constants: The field of the geometry's constants: one root mod p is chosen for
             each of its generators, so that √3, √12 and cos(π/6) agree.
+        zero, one: 0 and 1 mod p.
+        plain: See `Ring`.
         known: See `Ring`.
     """
+
+    plain: Final = True
 
     def __init__(
         self,
@@ -61,7 +65,7 @@ class ModularRing:
         self._symbols: dict[str, Residue] = {}
         self._angles: dict[str, tuple[Residue, Residue]] = {}
         self._roots: dict[Expression, Residue] = {}
-        self._zero, self._one = nmod(0, prime), nmod(1, prime)
+        self.zero, self.one = nmod(0, prime), nmod(1, prime)
         self._generators: dict[str, Residue] = {}
         self.known: Known[Residue] = {}
         self._turns: dict[Fraction, tuple[Residue, Residue]] = {}
@@ -70,24 +74,14 @@ class ModularRing:
     def _source(self) -> random.Random:
         return random.Random(self._seed)
 
-    @property
-    def zero(self) -> Residue:
-        """0 mod p."""
-        return self._zero
-
-    @property
-    def one(self) -> Residue:
-        """1 mod p."""
-        return self._one
-
     def rational(self, value: Fraction) -> Residue:
         """Numerator over denominator mod p."""
         above, below = value.numerator, value.denominator
         if below == 1:
             # Coordinates are 0 or 1 as a rule: one object serves a whole mechanism.
             if not above:
-                return self._zero
-            return self._one if above == 1 else nmod(above, self.prime)
+                return self.zero
+            return self.one if above == 1 else nmod(above, self.prime)
         return nmod(above, self.prime) / nmod(below, self.prime)
 
     def symbol(self, name: str) -> Residue:
@@ -118,7 +112,7 @@ class ModularRing:
     def radians(self, value: Fraction) -> tuple[Residue, Residue]:
         """A transcendental constant: drawn like a free angle."""
         if not value:
-            return self._one, self._zero
+            return self.one, self.zero
         cosine, sine = self.cosine_sine(str(abs(value)))
         return cosine, sine if value > 0 else -sine
 
@@ -153,7 +147,7 @@ class ModularRing:
 
     def is_zero(self, value: Residue) -> bool:
         """Whether the residue is 0."""
-        return bool(value == 0)
+        return not value
 
     def _draw(self) -> Residue:
         return nmod(self._source.randrange(1, self.prime), self.prime)
@@ -173,7 +167,7 @@ class ModularRing:
 
     def _algebraic(self, terms: Combination) -> Residue:
         """A constant from the residues of its field's generators."""
-        total = self._zero
+        total = self.zero
         for exponents, coefficient in terms.items():
             term = self.rational(coefficient)
             for name, exponent in zip(
@@ -255,10 +249,14 @@ def independent(rows: Sequence[Sequence[Residue]], prime: int) -> list[int]:
 
 def pivots(matrix: Any) -> list[int]:
     """Numbers of the first columns that are independent, ascending."""
-    reduced, rank = matrix.rref()
+    return leading(*matrix.rref())
+
+
+def leading(reduced: Any, rank: int) -> list[int]:
+    """Where the rows of a matrix in reduced row echelon form begin."""
     chosen, start = [], 0
     for line in range(int(rank)):
-        start = next(i for i in range(start, matrix.ncols()) if reduced[line, i] != 0)
+        start = next(i for i in range(start, reduced.ncols()) if reduced[line, i])
         chosen.append(start)
         start += 1
     return chosen
@@ -268,6 +266,11 @@ def echelon(rows: Sequence[Sequence[Residue]], prime: int) -> list[list[int]]:
     """The reduced row echelon form without zero rows: the same for every basis."""
     if not rows or not rows[0]:
         return []
-    width = len(rows[0])
-    reduced, rank = residue_matrix(rows, width, prime).rref()
+    return reduced_rows(residue_matrix(rows, len(rows[0]), prime))
+
+
+def reduced_rows(matrix: Any) -> list[list[int]]:
+    """The same of a matrix in FLINT's form."""
+    reduced, rank = matrix.rref()
+    width = matrix.ncols()
     return [[int(reduced[i, j]) for j in range(width)] for i in range(int(rank))]

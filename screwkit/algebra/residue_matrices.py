@@ -21,6 +21,20 @@ def chosen_columns(matrix: Any, places: Sequence[int], prime: int) -> Any:
     return matrix * selector
 
 
+def first_rows(matrix: Any, count: int, prime: int) -> Any:
+    """The first rows of a matrix in FLINT's form."""
+    selector = nmod_mat(count, matrix.nrows(), prime)
+    for row in range(count):
+        selector[row, row] = 1
+    return selector * matrix
+
+
+def null_rows(matrix: Any, prime: int) -> Any:
+    """Basis of the vectors that a matrix annihilates, one in each row."""
+    kernel, nullity = matrix.nullspace()
+    return first_rows(kernel.transpose(), int(nullity), prime)
+
+
 def product(left: Rows, right: Rows, prime: int) -> Rows:
     """Left times right."""
     if not left or not right:

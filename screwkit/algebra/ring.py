@@ -50,6 +50,11 @@ class Ring(Protocol[S]):
         ...
 
     @property
+    def plain(self) -> bool:
+        """Whether every scalar is its own normal form."""
+        ...
+
+    @property
     def zero(self) -> S:
         """The scalar 0."""
         ...

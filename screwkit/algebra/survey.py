@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import isqrt, lcm
+from typing import ClassVar
 
 from screwkit.algebra.expression import Expression, Number
 from screwkit.algebra.rational_values import rational_value
@@ -46,8 +47,11 @@ class SurveyRing:
         roots: Radicands; inner ones before outer ones.
         divisors: Divisors; inner ones before outer ones.
         turn: Least n such that all constant angles are multiples of π/n.
+        plain: See `Ring`.
         known: See `Ring`.
     """
+
+    plain: ClassVar[bool] = True
 
     symbols: dict[str, None] = field(default_factory=dict)
     angles: dict[str, None] = field(default_factory=dict)

@@ -17,7 +17,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import Any, Final, TypeAlias
 
 from flint import Ordering, fmpq, fmpq_mpoly_ctx, fmpq_poly
 
@@ -59,7 +59,10 @@ class TrigonometricRing:
         symbols: The symbols that occur as numbers.
         extensions: Square roots and inverses of symbolic quantities.
         context: The FLINT context all polynomials of this ring live in.
+        plain: See `Ring`.
     """
+
+    plain: Final = False
 
     def __init__(
         self, survey: SurveyRing, basis: Sequence[AngleForm] | None = None

@@ -9,17 +9,15 @@ References: [BicchiPrattichizzo] eqs. (2)-(5), (15)-(19), [Schwartz1980].
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from itertools import accumulate
 from typing import Any
 
 from screwkit.algebra.constants import ConstantField
-from screwkit.algebra.modular import ModularRing, pivots, rank, residue_matrix
+from screwkit.algebra.modular import ModularRing, rank, residue_matrix
 from screwkit.algebra.reconstruction import Reconstruction
-from screwkit.algebra.residue_matrices import chosen_columns
+from screwkit.algebra.residue_matrices import chosen_columns, null_rows
 from screwkit.grasping.holds import holds_of
 from screwkit.grasping.matrices import GraspMatrices, grasp_matrices, grasp_rows
 from screwkit.kinematics.exact_postures import at_zero, exact_values, surveyed
@@ -145,16 +143,19 @@ class ExactGrasp:
         pairs = zip(self.j, self.gt, strict=True)
         return [[*j, *(-x % self.prime if x else 0 for x in gt)] for j, gt in pairs]
 
-    def part(self, parts: str) -> Any:
-        """The columns of J_a (``a``), J_p (``p``) and −Gᵀ (``o``), in FLINT's form."""
+    def places(self, parts: str) -> list[int]:
+        """Where the columns of J_a (``a``), J_p (``p``) and −Gᵀ (``o``) stand."""
         split, moving = self.actuated, len(self.matrices.freedoms)
         places = {
             "a": range(split),
             "p": range(split, moving),
             "o": range(moving, moving + self.twists),
         }
-        chosen = [place for part in parts for place in places[part]]
-        return chosen_columns(self._matrix, chosen, self.prime)
+        return [place for part in parts for place in places[part]]
+
+    def part(self, parts: str) -> Any:
+        """The columns of some parts, in FLINT's form."""
+        return chosen_columns(self._matrix, self.places(parts), self.prime)
 
     @cached_property
     def _matrix(self) -> Any:
@@ -189,22 +190,31 @@ class ExactGrasp:
         return replace(self, matrices=part)
 
     @cached_property
+    def motions(self) -> Any:
+        """A basis of all motions (q_a; q_p; u), one in each row, in FLINT's form."""
+        return null_rows(self._matrix, self.prime)
+
+    def resting(self, parts: str) -> Any:
+        """The columns of `motions` in which these parts move."""
+        return chosen_columns(self.motions, self.places(parts), self.prime)
+
+    @cached_property
     def ranks(self) -> Ranks:
-        """All of them, from three eliminations."""
-        own = self.matrices
-        widths = {"a": self.actuated, "p": len(own.passive), "o": self.twists}
+        """All of them, from one elimination: what moves alone is what others lack.
 
-        def leading(parts: str) -> list[int]:
-            """Ranks of the first part, of the first two …."""
-            chosen = pivots(self.part(parts))
-            ends = accumulate(widths[part] for part in parts)
-            return [bisect_left(chosen, end) for end in ends]
+        The columns of some parts have as many relations as there are motions at which
+        the other parts rest.
+        """
+        every = int(self.motions.nrows())
 
-        p, po, apo = leading("poa")
-        o, ao, _ = leading("oap")
-        a, ap = leading("ap")
-        actuated, passive, twists = widths.values()
-        return Ranks(len(self.j), actuated, passive, twists, a, p, o, ap, ao, po, apo)
+        def rank_of(parts: str) -> int:
+            others = "".join(part for part in "apo" if part not in parts)
+            moving = int(self.resting(others).rank()) if others else 0
+            return len(self.places(parts)) - (every - moving)
+
+        found = (rank_of(parts) for parts in ("a", "p", "o", "ap", "ao", "po", "apo"))
+        widths = (len(self.places(part)) for part in "apo")
+        return Ranks(len(self.j), *widths, *found)
 
 
 def exact_grasps(

@@ -10,12 +10,25 @@ References: [BicchiPrattichizzo] eqs. (2)-(5), with the order of filling correct
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from screwkit.algebra.modular import annihilator, echelon, null_vectors
-from screwkit.algebra.residue_matrices import Rows, product
+from screwkit.algebra.modular import (
+    annihilator,
+    echelon,
+    leading,
+    null_vectors,
+    reduced_rows,
+    residue_matrix,
+)
+from screwkit.algebra.residue_matrices import (
+    Rows,
+    chosen_columns,
+    first_rows,
+    identity,
+    product,
+)
 from screwkit.grasping.exact_grasp import ExactGrasp
 
 BLOCKS: Final = ("a_r", "p_r", "o_i", "po_i", "ap_c", "ao_c", "apo_c")
@@ -63,9 +76,8 @@ def blocks_of(grasp: ExactGrasp) -> Blocks:
     The basis of a block depends on the spaces alone: reduced echelon vectors of its
     own motions, with those that are sums of earlier blocks' motions taken out.
     """
-    prime, width = grasp.prime, len(grasp.matrices.freedoms) + grasp.twists
-    places = _places(grasp)
-    spanned: list[list[int]] = []
+    prime, every = grasp.prime, grasp.motions.nrows()
+    spanned: Rows = []  # as sums of the rows of all motions, like all spaces below
     basis: dict[str, tuple[tuple[int, ...], ...]] = {}
     for block in BLOCKS:
         parts = MOVING[block]
@@ -73,56 +85,38 @@ def blocks_of(grasp: ExactGrasp) -> Blocks:
         if known == grasp.ranks.motions(parts):
             basis[block] = ()  # its motions are sums of those of earlier blocks
             continue
-        where = [i for part in "apo" if part in parts for i in places[part]]
-        vectors = [
-            _spread(vector, where, width) for vector in null_vectors(grasp.part(parts))
-        ]
-        added = _beyond(spanned, vectors, prime)
-        basis[block] = tuple(tuple(vector) for vector in added)
-        spanned += added
-    actuated, passive, twists = (len(places[part]) for part in "apo")
+        others = "".join(part for part in "apo" if part not in parts)
+        own = identity(every)
+        if others:
+            own = null_vectors(grasp.resting(others).transpose())
+        basis[block] = _beyond(grasp, own, _shared(own, spanned, prime))
+        spanned = echelon([*spanned, *own], prime)
+    actuated, passive, twists = (len(grasp.places(part)) for part in "apo")
     return Blocks(actuated, passive, twists, basis)
 
 
-def _places(grasp: ExactGrasp) -> dict[str, range]:
-    moving = len(grasp.matrices.freedoms)
-    return {
-        "a": range(grasp.actuated),
-        "p": range(grasp.actuated, moving),
-        "o": range(moving, moving + grasp.twists),
-    }
-
-
-def _spread(vector: Sequence[int], where: Sequence[int], width: int) -> list[int]:
-    whole = [0] * width
-    for place, value in zip(where, vector, strict=True):
-        whole[place] = value
-    return whole
-
-
-def _beyond(spanned: Rows, vectors: Rows, prime: int) -> list[list[int]]:
-    """Basis of what ``vectors`` add to a space, out of their own span.
-
-    Reduced by what their span has in common with the space, and by nothing else of it:
-    what does not move in these vectors does not move in the basis.
-    """
-    if not spanned or not vectors:
-        return echelon(vectors, prime)
-    both = [*vectors, *spanned]
+def _shared(own: Rows, spanned: Rows, prime: int) -> Rows:
+    """What two spaces have in common."""
+    if not spanned:
+        return []
+    both = [*own, *spanned]
     relations = annihilator(
         [list(c) for c in zip(*both, strict=True)], len(both), prime
     )
-    own = [relation[: len(vectors)] for relation in relations]
-    shared = echelon(product(own, vectors, prime), prime)
-    pivots = [next(i for i, x in enumerate(row) if x) for row in shared]
-    reduced = []
-    for vector in vectors:
-        left = list(vector)
-        for pivot, row in zip(pivots, shared, strict=True):
-            factor = left[pivot]
-            if factor:
-                left = [
-                    (x - factor * y) % prime for x, y in zip(left, row, strict=True)
-                ]
-        reduced.append(left)
-    return echelon(reduced, prime)
+    return product([relation[: len(own)] for relation in relations], own, prime)
+
+
+def _beyond(grasp: ExactGrasp, own: Rows, shared: Rows) -> tuple[tuple[int, ...], ...]:
+    """Basis of what some motions add to others, out of their own span.
+
+    Reduced by what their span has in common with these, and by nothing else of them:
+    what does not move in these motions does not move in the basis.
+    """
+    prime, motions = grasp.prime, grasp.motions
+    vectors = residue_matrix(own, motions.nrows(), prime) * motions
+    if shared:
+        common, rank = (residue_matrix(shared, motions.nrows(), prime) * motions).rref()
+        chosen = leading(common, rank)
+        common = first_rows(common, rank, prime)
+        vectors -= chosen_columns(vectors, chosen, prime) * common
+    return tuple(map(tuple, reduced_rows(vectors)))

@@ -130,6 +130,7 @@ class _RationalPoint:
 
     zero, one = Fraction(0), Fraction(1)
     known = None
+    plain = True
 
     def __init__(self, values: Mapping[str, Expression] | None = None) -> None:
         self.drawn = False

@@ -7,12 +7,14 @@ axis, so that forces, rates and torques are those of unit axes.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from screwkit.algebra.batch import Array, BatchRing
 from screwkit.algebra.evaluation import cosine_sine, evaluate
 from screwkit.algebra.expression import Expression
+from screwkit.algebra.floats import FloatRing
 from screwkit.errors import ExpressionError
 from screwkit.grasping.exact_grasp import Ranks
 from screwkit.grasping.matrices import GraspMatrices, grasp_matrices
@@ -21,13 +23,15 @@ from screwkit.mechanism.model import Mechanism
 from screwkit.metrics.indices import FloatGrasp, Weights
 
 
-def float_matrices(mechanism: Mechanism) -> GraspMatrices[Array]:
+def float_matrices(mechanism: Mechanism) -> GraspMatrices[float]:
     """J and Gᵀ in floats, at the numbers of a mechanism without symbols.
 
     Raises:
         UndecidedError: If a contact has no place.
     """
-    return grasp_matrices(mechanism, ring_at(mechanism, {}))
+    known = ring_at(mechanism, {}).values
+    ring = FloatRing({name: float(value) for name, value in known.items()})
+    return grasp_matrices(mechanism, ring)
 
 
 def float_values(values: Mapping[str, Expression]) -> dict[str, float]:
@@ -42,7 +46,7 @@ def float_values(values: Mapping[str, Expression]) -> dict[str, float]:
     return found
 
 
-def of_matrices(matrices: GraspMatrices[Array], ranks: Ranks | None) -> FloatGrasp:
+def of_matrices(matrices: GraspMatrices[Any], ranks: Ranks | None) -> FloatGrasp:
     """The grasp of matrices over floats, in unit directions; batches keep theirs."""
     rows, moving = len(matrices.rows), len(matrices.freedoms)
     split = len(matrices.actuated)
@@ -62,7 +66,7 @@ def _filled(entries: Sequence[Sequence[Array]], rows: int, columns: int) -> Arra
 
 def float_weights(
     mechanism: Mechanism,
-    matrices: GraspMatrices[Array] | None,
+    matrices: GraspMatrices[Any] | None,
     values: Mapping[str, Array | float],
 ) -> Weights:
     """The weights that a file declares, as matrices.

@@ -37,6 +37,8 @@ def subtract(a: Sequence[S], b: Sequence[S]) -> Vector[S]:
 
 def normal(ring: Ring[S], a: Sequence[S]) -> Vector[S]:
     """Each coordinate in normal form."""
+    if ring.plain:
+        return a[0], a[1], a[2]
     return ring.normal(a[0]), ring.normal(a[1]), ring.normal(a[2])
 
 

@@ -43,6 +43,7 @@ class Rationals:
 
     zero, one = Fraction(0), Fraction(1)
     known = None
+    plain = True
 
     def rational(self, value: Fraction) -> Fraction:
         return value
