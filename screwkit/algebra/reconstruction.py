@@ -84,10 +84,17 @@ class AlgebraicNumber:
         return expression_text(self.expression)
 
     @property
+    def is_rational(self) -> bool:
+        """Whether no irrationality occurs."""
+        return all(unit.radicand == 1 and not unit.turn for unit, _ in self.terms)
+
+    @property
     def sign(self) -> int:
         """−1, 0 or 1: proved by interval arithmetic, fine enough in the end."""
         if not self.terms:
             return 0
+        if self.is_rational:
+            return 1 if self.terms[0][1] > 0 else -1
         bits = 64
         while True:
             ball = self._ball(bits)
@@ -202,6 +209,8 @@ class Reconstruction:
                 )
                 if vector is not None:
                     found.append(_primitive(vector))
+                    if all(number.is_rational for number in vector):
+                        return found[0]  # so are all others, and they are the same
         return min(found, key=_length, default=None)
 
     def roots(

@@ -88,8 +88,7 @@ def _written(
 def _rational(number: AlgebraicNumber) -> Fraction | None:
     if not number.terms:
         return Fraction(0)
-    (unit, value), *rest = number.terms
-    return value if not rest and unit.radicand == 1 and not unit.turn else None
+    return number.terms[0][1] if number.is_rational else None
 
 
 def _polynomial(coefficients: Sequence[AlgebraicNumber]) -> str:

@@ -109,9 +109,10 @@ def symbolic_blocks(
         for j, gt in zip(matrices.j, matrices.gt, strict=True)
     ]
     residues = grasp.whole
+    filled = [frozenset(i for i, x in enumerate(row) if x) for row in residues]
     return {
         block: tuple(
-            _vector(ring, rows, residues, vector, grasp.prime)
+            _vector(ring, rows, residues, filled, vector, grasp.prime)
             for vector in blocks.basis[block]
         )
         for block in BLOCKS
@@ -122,13 +123,14 @@ def _vector(
     ring: TrigonometricRing,
     rows: Sequence[Sequence[Polynomial]],
     residues: Sequence[Sequence[int]],
+    filled: Sequence[frozenset[int]],
     vector: Sequence[int],
     prime: int,
 ) -> Vector | None:
     support = [i for i, x in enumerate(vector) if x]
     if len(support) > LARGEST:
         return None
-    touching = [r for r, row in enumerate(residues) if any(row[i] for i in support)]
+    touching = [r for r, own in enumerate(filled) if not own.isdisjoint(support)]
     order = sorted(touching, key=lambda r: sum(len(rows[r][i]) for i in support))
     known = [[residues[r][i] for i in support] for r in order]
     chosen = [order[k] for k in independent(known, prime)[: len(support) - 1]]

@@ -151,7 +151,7 @@ def index_values(index: Index) -> IndexValues:
 
 def _rows(matrix: Array) -> tuple[tuple[float, ...], ...]:
     return tuple(
-        tuple(0.0 if abs(x) < ROUNDED else float(x) for x in row) for row in matrix
+        tuple(0.0 if abs(x) < ROUNDED else x for x in row) for row in matrix.tolist()
     )
 
 
@@ -174,16 +174,17 @@ def ellipsoid(axes: AxesOf, linear: slice = slice(0)) -> Ellipsoid:
         axes: Its axes.
         linear: Which coordinates of a direction are those of a velocity or a force.
     """
-    turned = []
-    for row in axes.directions:
-        largest = int(np.argmax(np.abs(row))) if len(row) else 0
-        turned.append(-row if len(row) and row[largest] < 0 else row)
-    lengths = tuple(float(x) for x in axes.lengths)
+    turned = axes.directions
+    if turned.size:
+        largest = np.abs(turned).argmax(axis=1)
+        back = turned[np.arange(len(turned)), largest] < 0
+        turned = np.where(back[:, None], -turned, turned)
+    lengths = tuple(axes.lengths.tolist())
     vectors = (axes.lengths[:, None] * axes.directions)[:, linear]
     part = _ball_image(vectors.T @ vectors) if vectors.size else Ellipsoid()
     return Ellipsoid(
         lengths,
-        _rows(np.array(turned)),
+        _rows(turned),
         axes.infinite,
         tuple(
             tuple(length * x for x in direction)

@@ -95,7 +95,7 @@ def cooperation(
         acting = grasp.g[:, list(rows)]
         weighted = acting if weights.wrench is None else weights.wrench @ acting
         metric[np.ix_(rows, rows)] = 0.5 * acting.T @ weighted
-    inside = internal_index(grasp, replace(weights, forces=metric))
+    inside = internal_index(whole.statics, grasp, replace(weights, forces=metric))
     singles = [_single(grasp, weights, arm) for arm in arms]
     internal, relative = _inside(inside, grasp, contacts)
     return Shared(

@@ -103,6 +103,7 @@ class Indices:
         structural: Wrenches that are balanced without torque, as rows.
         gap: Of the least certain rank; inf where nothing is small.
         least: Smallest relative size of a singular value that counts.
+        statics: What contact forces do, for `internal_index`.
     """
 
     kinematic: Index
@@ -113,6 +114,7 @@ class Indices:
     structural: Array
     gap: float
     least: float
+    statics: Statics
 
 
 def indices(grasp: FloatGrasp, weights: Weights) -> Indices:
@@ -127,7 +129,7 @@ def indices(grasp: FloatGrasp, weights: Weights) -> Indices:
     """
     passive = _passive(grasp)
     kinematic, spans = _kinematic(grasp, weights, passive)
-    statics = _Statics.of(grasp, weights, passive)
+    statics = Statics.of(grasp, weights, passive)
     force = _force(statics)
     h, s = statics.torque_span.shape[1], statics.wrench_span.shape[1]
     structural = _unit_rows(statics.from_wrench @ statics.wrench_span)
@@ -138,10 +140,11 @@ def indices(grasp: FloatGrasp, weights: Weights) -> Indices:
         force,
         _with(force, zero=h, zero_joint=inner),
         _with(force, infinite=s, infinite_task=structural),
-        _internal(statics, grasp, weights),
+        internal_index(statics, grasp, weights),
         structural if s else np.zeros((0, width)),
         min(statics.gap, *(span.gap for span in spans)),
         min(span.least for span in spans),
+        statics,
     )
 
 
@@ -152,16 +155,38 @@ def both_indices(grasp: FloatGrasp, weights: Weights) -> tuple[Index, Index]:
     """
     passive = _passive(grasp)
     kinematic, _ = _kinematic(grasp, weights, passive)
-    return kinematic, _force(_Statics.of(grasp, weights, passive))
+    return kinematic, _force(Statics.of(grasp, weights, passive))
 
 
-def internal_index(grasp: FloatGrasp, weights: Weights) -> Index:
-    """The internal-force index alone.
+def internal_index(statics: Statics, grasp: FloatGrasp, weights: Weights) -> Index:
+    """The internal-force index with another weight of contact forces.
 
-    Arguments and errors are those of `indices`.
+    Args:
+        statics: Of `indices`, with the same weights but for that one.
+        grasp: At the same posture.
+        weights: With the other weight of contact forces.
+
+    Raises:
+        numpy.linalg.LinAlgError: If it is not positive definite.
     """
-    statics = _Statics.of(grasp, weights, _passive(grasp))
-    return _internal(statics, grasp, weights)
+    to_forces = _root(weights.forces)
+    silent = _through(to_forces, statics.forces @ statics.silent)
+    inner = _through(to_forces, statics.forces @ statics.inner)
+    count = statics.inner.shape[1] - statics.silent.shape[1]
+    known = split(silent, statics.silent.shape[1])
+    apart = split(without(inner, known.column_space), count)
+    back = _back(to_forces, grasp.ja.shape[0])
+    y = apart.column_space
+    x = -_through(_root(weights.torques), grasp.ja.T @ (back @ y))
+    scales, joint, task = _stationary(x, y)
+    return Index(
+        finite=scales**2,
+        infinite=statics.silent.shape[1],
+        zero=0,
+        task=_unit_rows(back @ task),
+        joint=_unit_rows(statics.from_torque @ joint),
+        infinite_task=_unit_rows(statics.forces @ statics.silent),
+    )
 
 
 def _passive(grasp: FloatGrasp) -> Split:
@@ -219,7 +244,7 @@ def _stationary(x: Array, y: Array) -> tuple[Array, Array, Array]:
 
 
 @dataclass(frozen=True)
-class _Statics:
+class Statics:
     """Contact forces φ that passive joints do not feel, and what they do.
 
     Attributes:
@@ -249,7 +274,7 @@ class _Statics:
     gap: float
 
     @classmethod
-    def of(cls, grasp: FloatGrasp, weights: Weights, passive: Split) -> _Statics:
+    def of(cls, grasp: FloatGrasp, weights: Weights, passive: Split) -> Statics:
         """At the posture of a grasp, whose passive joints are split."""
         ranks = grasp.ranks
         forces = passive.left_null_space
@@ -286,7 +311,7 @@ class _Statics:
         )
 
 
-def _force(statics: _Statics) -> Index:
+def _force(statics: Statics) -> Index:
     """Wrench against torque, least over S above and over H below."""
     x = without(statics.torques @ statics.others, statics.torque_span)
     y = without(statics.wrenches @ statics.others, statics.wrench_span)
@@ -322,28 +347,6 @@ def _with(
     )
 
 
-def _internal(statics: _Statics, grasp: FloatGrasp, weights: Weights) -> Index:
-    """Contact forces against torques, both in balance on the object."""
-    to_forces = _root(weights.forces)
-    silent = _through(to_forces, statics.forces @ statics.silent)
-    inner = _through(to_forces, statics.forces @ statics.inner)
-    count = statics.inner.shape[1] - statics.silent.shape[1]
-    known = split(silent, statics.silent.shape[1])
-    apart = split(without(inner, known.column_space), count)
-    back = _back(to_forces, grasp.ja.shape[0])
-    y = apart.column_space
-    x = -_through(_root(weights.torques), grasp.ja.T @ (back @ y))
-    scales, joint, task = _stationary(x, y)
-    return Index(
-        finite=scales**2,
-        infinite=statics.silent.shape[1],
-        zero=0,
-        task=_unit_rows(back @ task),
-        joint=_unit_rows(statics.from_torque @ joint),
-        infinite_task=_unit_rows(statics.forces @ statics.silent),
-    )
-
-
 def _root(weight: Array | None) -> Array | None:
     """Upper triangle C with CᵀC = W."""
     return None if weight is None else np.asarray(np.linalg.cholesky(weight).T)
@@ -361,11 +364,11 @@ def _back(root: Array | None, size: int) -> Array:
 def _unit_rows(columns: Array) -> Array:
     """Columns as rows of unit length, the largest entry positive."""
     rows = np.array(columns.T)
-    for number, row in enumerate(rows):
-        size = float(np.linalg.norm(row))
-        if not size:
-            continue
-        unit = np.where(np.abs(row) < 1e-15 * size, 0.0, row / size)
-        first = int(np.argmax(np.abs(unit) > np.abs(unit).max() * (1 - 1e-9)))
-        rows[number] = unit * np.sign(unit[first])
-    return rows
+    if not rows.size:
+        return rows
+    sizes = np.sqrt((rows * rows).sum(axis=1, keepdims=True))
+    units = rows / np.where(sizes > 0.0, sizes, 1.0)
+    large = np.abs(units)
+    units[large < 1e-15] = 0.0
+    first = (large > large.max(axis=1, keepdims=True) * (1 - 1e-9)).argmax(axis=1)
+    return np.asarray(units * np.sign(units[np.arange(len(units)), first])[:, None])
