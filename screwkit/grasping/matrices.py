@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Generic, TypeAlias
+from typing import Generic, NamedTuple, TypeAlias
 
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.ring import Ring, S
@@ -33,8 +33,7 @@ from screwkit.screw.vector import Vector
 Twists: TypeAlias = Mapping[str, JointTwist[S]]
 
 
-@dataclass(frozen=True)
-class GraspRow(Generic[S]):
+class GraspRow(NamedTuple, Generic[S]):
     """One component of the contact forces, and of the velocities that it couples.
 
     Attributes:
@@ -138,9 +137,10 @@ def grasp_matrices(
     )
     order = (*actuated, *passive)
     place = {label: number for number, label in enumerate(order)}
+    coordinates = {label: twists[label].coordinates for label in order}
     felt = {
         hold.joint: [
-            (place[label], twists[label].coordinates, sign)
+            (place[label], coordinates[label], sign)
             for name, sign in hold.steps
             for label in labels[name]
             if label in place
@@ -309,8 +309,7 @@ def _gt_row(
     if centre is not None:
         about = vector.subtract(moment, vector.cross(centre, force))
         moment = vector.normal(ring, about)
-    whole = (*moment, *force)
-    return tuple(whole[i] for i in coordinates)
+    return (*moment, *force)[coordinates.start : coordinates.stop]
 
 
 def _is_zero(ring: Ring[S], direction: Vector[S]) -> bool:

@@ -12,7 +12,7 @@ References: [BicchiPrattichizzo] Tables I, II, Appendix A; [BicchiMelchiorri] eq
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Generic, Literal, TypeAlias
+from typing import Generic, Literal, NamedTuple, TypeAlias
 
 from screwkit.algebra.ring import Ring, S
 from screwkit.kinematics.joint_places import JointPlace, joint_place, unit_vectors
@@ -24,8 +24,7 @@ from screwkit.screw.vector import Vector
 RowKind: TypeAlias = Literal["force", "couple", "screw"]
 
 
-@dataclass(frozen=True)
-class ContactWrench(Generic[S]):
+class ContactWrench(NamedTuple, Generic[S]):
     """One row of a selector: a component that is held, and transmitted.
 
     Attributes:
@@ -90,11 +89,10 @@ def rigid_wrenches(
 ) -> tuple[ContactWrench[S], ...]:
     """All wrenches: what a rigid attachment at a point transmits."""
     rows = _Rows(name, ring, point)
-    x, y, z = unit_vectors(ring)
     if space == "planar":
-        return (*rows.forces(("x", x), ("y", y)), *rows.couples(("z", z)))
-    axes = ("x", x), ("y", y), ("z", z)
-    return (*rows.forces(*axes), *rows.couples(*axes))
+        z = unit_vectors(ring)[2]
+        return (*rows.unit_forces()[:2], *rows.couples(("z", z)))
+    return (*rows.unit_forces(), *rows.unit_couples())
 
 
 def held_at(
@@ -122,6 +120,19 @@ class _Rows(Generic[S]):
 
     def forces(self, *along: Named[S]) -> list[ContactWrench[S]]:
         return [self._row("force", name, axis, axis) for name, axis in along]
+
+    def unit_forces(self) -> list[ContactWrench[S]]:
+        """Along the axes of the base."""
+        units = unit_vectors(self.ring)
+        moments = vector.unit_moments(self.ring, self.point)
+        return [
+            ContactWrench(self.joint, "force", name, axis, axis, moment, self.point)
+            for name, axis, moment in zip("xyz", units, moments, strict=True)
+        ]
+
+    def unit_couples(self) -> list[ContactWrench[S]]:
+        """About the axes of the base."""
+        return self.couples(*zip("xyz", unit_vectors(self.ring), strict=True))
 
     def couples(self, *about: Named[S]) -> list[ContactWrench[S]]:
         zero = (self.ring.zero,) * 3
@@ -154,14 +165,13 @@ def _sides(place: JointPlace[S], axis: Vector[S]) -> tuple[Named[S], Named[S]]:
 def _spatial(
     joint: Joint, place: JointPlace[S], rows: _Rows[S]
 ) -> tuple[ContactWrench[S], ...]:
-    x, y, z = unit_vectors(place.ring)
-    base = ("x", x), ("y", y), ("z", z)
     normal = "normal", place.normal
     match joint.type:
         case JointType.REVOLUTE:
-            found = [*rows.forces(*base), *rows.couples(*_sides(place, place.axes[0]))]
+            found = [*rows.unit_forces(), *rows.couples(*_sides(place, place.axes[0]))]
         case JointType.PRISMATIC:
-            found = [*rows.forces(*_sides(place, place.axes[0])), *rows.couples(*base)]
+            sides = _sides(place, place.axes[0])
+            found = [*rows.forces(*sides), *rows.unit_couples()]
         case JointType.HELICAL:
             sides = _sides(place, place.axes[0])
             mixed = rows.helix("axis", place.axes[0], place.pitch)
@@ -171,22 +181,22 @@ def _spatial(
             found = [*rows.forces(*sides), *rows.couples(*sides)]
         case JointType.UNIVERSAL:
             cross = vector.normal(place.ring, vector.cross(*place.axes))
-            found = [*rows.forces(*base), *rows.couples(("normal", cross))]
+            found = [*rows.unit_forces(), *rows.couples(("normal", cross))]
         case JointType.SPHERICAL | JointType.HARD_FINGER:
-            found = rows.forces(*base)
+            found = rows.unit_forces()
         case JointType.PLANAR | JointType.PLANE:
             sides = _sides(place, place.normal)
             found = [*rows.forces(normal), *rows.couples(*sides)]
         case JointType.POINT:
             found = rows.forces(normal)
         case JointType.SOFT_FINGER:
-            found = [*rows.forces(*base), *rows.couples(normal)]
+            found = [*rows.unit_forces(), *rows.couples(normal)]
         case JointType.LINE:
             beside = "across", _beside(place)
             found = [*rows.forces(normal), *rows.couples(beside)]
         case JointType.LINE_FRICTION:
             beside = "across", _beside(place)
-            found = [*rows.forces(*base), *rows.couples(beside, normal)]
+            found = [*rows.unit_forces(), *rows.couples(beside, normal)]
         case _:
             found = []
     return tuple(found)
@@ -200,12 +210,12 @@ def _beside(place: JointPlace[S]) -> Vector[S]:
 def _planar(
     joint: Joint, place: JointPlace[S], rows: _Rows[S]
 ) -> tuple[ContactWrench[S], ...]:
-    x, y, z = unit_vectors(place.ring)
-    both, about = (("x", x), ("y", y)), ("z", z)
+    z = unit_vectors(place.ring)[2]
+    about = "z", z
     normal = "normal", place.normal
     match joint.type:
         case JointType.REVOLUTE | JointType.HARD_FINGER:
-            found = rows.forces(*both)
+            found = rows.unit_forces()[:2]
         case JointType.PRISMATIC:
             side = vector.normal(place.ring, vector.cross(z, place.axes[0]))
             found = [*rows.forces(("across", side)), *rows.couples(about)]

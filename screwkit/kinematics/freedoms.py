@@ -10,8 +10,7 @@ References: [BicchiPrattichizzo] Tables I and II (as reciprocal pairs), [Hunt197
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Generic
+from typing import Generic, NamedTuple
 
 from screwkit.algebra.ring import Ring, S
 from screwkit.kinematics.joint_places import JointPlace, joint_place, unit_vectors
@@ -22,8 +21,7 @@ from screwkit.screw.displacement import Displacement
 from screwkit.screw.vector import Vector
 
 
-@dataclass(frozen=True)
-class JointTwist(Generic[S]):
+class JointTwist(NamedTuple, Generic[S]):
     """The twist of one freedom in some frame.
 
     Attributes:
@@ -97,11 +95,11 @@ def _spatial(
         case JointType.UNIVERSAL:
             return [turn(axis) for axis in place.axes]
         case JointType.SPHERICAL | JointType.HARD_FINGER:
-            return [turn(axis) for axis in unit_vectors(place.ring)]
+            return _all_turns(place)
         case JointType.PLANAR | JointType.PLANE:
             return [turn(place.normal), *map(slide, place.tangents())]
         case JointType.POINT:
-            return [*map(turn, unit_vectors(place.ring)), *map(slide, place.tangents())]
+            return [*_all_turns(place), *map(slide, place.tangents())]
         case JointType.SOFT_FINGER:
             return [turn(tangent) for tangent in place.tangents()]
         case JointType.LINE:
@@ -114,6 +112,12 @@ def _spatial(
             return [turn(place.line)]
         case _:
             return []
+
+
+def _all_turns(place: JointPlace[S]) -> Sequence[tuple[Vector[S], Vector[S]]]:
+    """About the axes of the base through the point."""
+    units = unit_vectors(place.ring)
+    return list(zip(units, vector.unit_moments(place.ring, place.point), strict=True))
 
 
 def _planar(

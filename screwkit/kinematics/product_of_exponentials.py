@@ -10,7 +10,6 @@ References: [MurrayLiSastry1994] §3.2.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 from screwkit.algebra.evaluation import cosine_sine, evaluate
 from screwkit.algebra.expression import Call, Expression, Power, Sum
@@ -117,8 +116,7 @@ def carried(twist: JointTwist[S], by: Displacement[S], ring: Ring[S]) -> JointTw
     turned = vector.rotate(by.rotation, twist.moment)
     shifted = vector.cross(by.translation, direction)
     point = vector.add(vector.rotate(by.rotation, twist.point), by.translation)
-    return replace(
-        twist,
+    return twist._replace(
         direction=direction,
         moment=vector.normal(ring, vector.add(turned, shifted)),
         point=vector.normal(ring, point),

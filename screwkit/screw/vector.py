@@ -63,6 +63,12 @@ def compose(ring: Ring[S], left: Rotation[S], right: Rotation[S]) -> Rotation[S]
     return transpose((columns[0], columns[1], columns[2]))
 
 
+def unit_moments(ring: Ring[S], a: Sequence[S]) -> Rotation[S]:
+    """The products a × e with the unit vectors, in normal form if ``a`` is."""
+    x, y, z = a
+    return (ring.zero, z, -y), (-z, ring.zero, x), (y, -x, ring.zero)
+
+
 def scaled(factor: S, a: Sequence[S]) -> Vector[S]:
     """A multiple."""
     return factor * a[0], factor * a[1], factor * a[2]
