@@ -17,105 +17,16 @@ from functools import cached_property
 from itertools import combinations, product
 from math import gcd, isqrt, lcm, prod
 
-from flint import arb, ctx, fmpq, fmpz_mat, nmod_poly
+from flint import fmpz_mat, nmod_poly
 
+from screwkit.algebra.algebraic_numbers import AlgebraicNumber, Irrationality
 from screwkit.algebra.constants import ConstantField
-from screwkit.algebra.expression import ONE, Expression, Number, Pi
-from screwkit.algebra.expression_building import add, call, multiply
 from screwkit.algebra.modular import ModularRing, ResampleError
-from screwkit.algebra.text import expression_text
+from screwkit.algebra.short_numbers import TRIED, VanishingCombinations
 
 LARGEST = 12  # degrees beyond which two primes tell no number from chance
 CHANCE = 2**48  # a random residue passes for a number once in this many
 SMALL = 2**30  # integers that two residues tell at a glance
-
-
-@dataclass(frozen=True, order=True)
-class Irrationality:
-    """√radicand · 2cos(π·turn), the second factor only where ``turn`` is not 0."""
-
-    radicand: int = 1
-    turn: Fraction = Fraction(0)
-
-    @property
-    def expression(self) -> Expression:
-        """In the grammar, without the factor 2 of the cosine."""
-        if self.radicand == 1 and not self.turn:
-            return ONE
-        root, cosine = Number(Fraction(self.radicand)), Number(self.turn)
-        return multiply(
-            *([call("sqrt", root)] if self.radicand > 1 else []),
-            *([call("cos", multiply(cosine, Pi()))] if self.turn else []),
-        )
-
-    @property
-    def ball(self) -> arb:
-        """The real number at the working precision."""
-        cosine = 2 * arb.cos_pi_fmpq(_fmpq(self.turn)) if self.turn else arb(1)
-        return arb(self.radicand).sqrt() * cosine
-
-
-@dataclass(frozen=True)
-class AlgebraicNumber:
-    """A rational combination of irrationalities that are independent over Q.
-
-    Attributes:
-        terms: Irrationality and coefficient, no coefficient zero.
-    """
-
-    terms: tuple[tuple[Irrationality, Fraction], ...]
-
-    @property
-    def expression(self) -> Expression:
-        """The number in the grammar."""
-        match self.terms:
-            case ((Irrationality(1, 0), value),):
-                return Number(value)
-        return add(
-            *(
-                multiply(Number(coefficient * (2 if unit.turn else 1)), unit.expression)
-                for unit, coefficient in self.terms
-            )
-        )
-
-    @cached_property
-    def text(self) -> str:
-        """The number as text of the grammar: ``1/2 + sqrt(3)/2``."""
-        return expression_text(self.expression)
-
-    @property
-    def is_rational(self) -> bool:
-        """Whether no irrationality occurs."""
-        return all(unit.radicand == 1 and not unit.turn for unit, _ in self.terms)
-
-    @property
-    def sign(self) -> int:
-        """−1, 0 or 1: proved by interval arithmetic, fine enough in the end."""
-        if not self.terms:
-            return 0
-        if self.is_rational:
-            return 1 if self.terms[0][1] > 0 else -1
-        bits = 64
-        while True:
-            ball = self._ball(bits)
-            if ball > 0 or ball < 0:
-                return 1 if ball > 0 else -1
-            bits *= 2
-
-    def __float__(self) -> float:
-        """The nearest float, nearly."""
-        return float(self._ball(192))
-
-    def scaled(self, factor: Fraction) -> AlgebraicNumber:
-        """A rational multiple, not by 0."""
-        return AlgebraicNumber(tuple((u, c * factor) for u, c in self.terms))
-
-    def _ball(self, bits: int) -> arb:
-        with ctx.workprec(bits):
-            total = arb(0)
-            for unit, coefficient in self.terms:
-                total += arb(_fmpq(coefficient)) * unit.ball
-            return total
 
 
 @dataclass(frozen=True)
@@ -172,11 +83,44 @@ class Reconstruction:
         if one == other and abs(one) < SMALL:
             unit = self._units[0][0]
             return AlgebraicNumber(((unit, Fraction(one)),) if one else ())
+        residue = self._both(first, second)
+        for units, vanishing in self._vanishing:
+            for below in self._denominators:
+                above = vanishing.over(below, residue)
+                if above is not None:
+                    terms = zip(units, above, strict=True)
+                    return AlgebraicNumber(
+                        tuple(
+                            (self._units[i][0], Fraction(c, below))
+                            for i, c in terms
+                            if c
+                        )
+                    )
         for units in self._subfields:
-            found = self._short(first, second, units)
+            found = self._short(residue, units)
             if found is not None:
+                below = lcm(*(c.denominator for _, c in found.terms))
+                self._denominators[:] = [below, *self._denominators[: TRIED - 1]]
                 return found
         return None
+
+    @cached_property
+    def _denominators(self) -> list[int]:
+        """Those met last: the entries of a vector share theirs as a rule."""
+        return [1]
+
+    @cached_property
+    def _vanishing(self) -> tuple[tuple[tuple[int, ...], VanishingCombinations], ...]:
+        """What vanishes in each of the subfields."""
+        return tuple(
+            (
+                units,
+                VanishingCombinations.of(
+                    [self._units[i][1] for i in units], self._modulus, CHANCE
+                ),
+            )
+            for units in self._subfields
+        )
 
     def numbers(
         self, first: Sequence[int], second: Sequence[int]
@@ -312,13 +256,11 @@ class Reconstruction:
         p, q = self.primes
         return pow(p, -1, q)
 
-    def _short(
-        self, first: int, second: int, units: Sequence[int]
-    ) -> AlgebraicNumber | None:
+    def _short(self, both: int, units: Sequence[int]) -> AlgebraicNumber | None:
         """The number x by the shortest (d, c) with d·x = Σ c·unit modulo both."""
         if len(units) == 1:
-            return self._rational(self._both(first, second))
-        residues = [self._both(first, second)]
+            return self._rational(both)
+        residues = [both]
         residues += [-self._units[i][1] for i in units[1:]]
         size = len(residues) + 1
         rows = [[int(i == j) for j in range(size)] for i in range(size)]
@@ -367,7 +309,3 @@ def _primitive(vector: tuple[AlgebraicNumber, ...]) -> tuple[AlgebraicNumber, ..
 def _length(vector: Sequence[AlgebraicNumber]) -> tuple[int, int]:
     texts = [number.text for number in vector]
     return sum("(" in text for text in texts), sum(map(len, texts))
-
-
-def _fmpq(value: Fraction) -> fmpq:
-    return fmpq(value.numerator, value.denominator)

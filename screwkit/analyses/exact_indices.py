@@ -10,8 +10,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from screwkit.algebra.algebraic_numbers import AlgebraicNumber
 from screwkit.algebra.closed_roots import closed_roots
-from screwkit.algebra.reconstruction import AlgebraicNumber, Reconstruction
+from screwkit.algebra.reconstruction import Reconstruction
 from screwkit.analyses.partition import GraspPair
 from screwkit.grasping.characteristic import characteristics
 from screwkit.grasping.statics import contact_forces, static_bases

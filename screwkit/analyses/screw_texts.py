@@ -14,8 +14,9 @@ from fractions import Fraction
 from math import gcd, lcm
 from typing import Protocol, TypeAlias
 
+from screwkit.algebra.algebraic_numbers import AlgebraicNumber
 from screwkit.algebra.constants import ConstantField
-from screwkit.algebra.reconstruction import AlgebraicNumber, Reconstruction
+from screwkit.algebra.reconstruction import Reconstruction
 from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.reasons.readable_screws import kind_of, passes
 from screwkit.screw.vector import cross, dot

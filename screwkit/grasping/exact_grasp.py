@@ -12,12 +12,11 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
+from operator import neg
 from typing import Any
 
-from flint import nmod_mat
-
 from screwkit.algebra.constants import ConstantField
-from screwkit.algebra.modular import ModularRing, rank
+from screwkit.algebra.modular import ModularRing, rank, residue_matrix
 from screwkit.algebra.reconstruction import Reconstruction
 from screwkit.algebra.residue_matrices import chosen_columns, null_rows
 from screwkit.grasping.holds import holds_of
@@ -161,17 +160,10 @@ class ExactGrasp:
 
     @cached_property
     def _matrix(self) -> Any:
-        moving = len(self.matrices.freedoms)
-        matrix = nmod_mat(len(self.matrices.j), moving + self.twists, self.prime)
         pairs = zip(self.matrices.j, self.matrices.gt, strict=True)
-        for i, (j, gt) in enumerate(pairs):
-            for k, x in enumerate(j):
-                if x:
-                    matrix[i, k] = x
-            for k, x in enumerate(gt, moving):
-                if x:
-                    matrix[i, k] = -x
-        return matrix
+        rows = [(*j, *map(neg, gt)) for j, gt in pairs]
+        width = len(self.matrices.freedoms) + self.twists
+        return residue_matrix(rows, width, self.prime)
 
     @cached_property
     def object_alone(self) -> int:

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from screwkit.algebra.reconstruction import AlgebraicNumber
+from screwkit.algebra.algebraic_numbers import AlgebraicNumber
 from screwkit.systems.screw_structure import Residues
 
 

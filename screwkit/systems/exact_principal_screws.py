@@ -14,8 +14,9 @@ from collections.abc import Sequence
 from math import hypot, inf
 from typing import TypeAlias
 
+from screwkit.algebra.algebraic_numbers import AlgebraicNumber
 from screwkit.algebra.modular import annihilator
-from screwkit.algebra.reconstruction import AlgebraicNumber, Reconstruction
+from screwkit.algebra.reconstruction import Reconstruction
 from screwkit.conventions import DIRECTION
 from screwkit.screw.vector import cross, dot
 from screwkit.systems.principal_screws import (
