@@ -35,6 +35,8 @@ class Ranks:
         rows: Components of the contact forces.
         actuated, passive, twists: Columns of J_a, J_p and Gᵀ.
         a, p, o, ap, ao, po, apo: The ranks: a of J_a, p of J_p, o of Gᵀ.
+        inside: Of the rows, those of closures inside limbs.
+        inside_p, inside_ap: Ranks of J_p and of [J_a J_p] in these rows alone.
     """
 
     rows: int
@@ -48,6 +50,9 @@ class Ranks:
     ao: int
     po: int
     apo: int
+    inside: int = 0
+    inside_p: int = 0
+    inside_ap: int = 0
 
     def of(self, parts: str) -> int:
         """The rank of the columns of some parts, as in ``ap``."""
@@ -96,6 +101,16 @@ class Ranks:
     def internal(self) -> int:
         """Of H modulo X: torques that leave the object in balance."""
         return self.apo - self.po
+
+    @property
+    def inner_torques(self) -> int:
+        """Of the internal torques those that only load loops inside limbs."""
+        return self.inside_ap - self.inside_p
+
+    @property
+    def contact_indeterminacy(self) -> int:
+        """Of X as far as contacts with the object feel it."""
+        return self.static_indeterminacy - (self.inside - self.inside_ap)
 
 
 @dataclass(frozen=True)
@@ -204,7 +219,17 @@ class ExactGrasp:
         o, ao, _ = leading("oap")
         a, ap = leading("ap")
         actuated, passive, twists = widths.values()
-        return Ranks(len(self.j), actuated, passive, twists, a, p, o, ap, ao, po, apo)
+        inside = self.j[own.held :]
+        return Ranks(
+            len(self.j),
+            actuated,
+            passive,
+            twists,
+            *(a, p, o, ap, ao, po, apo),
+            len(inside),
+            rank([row[actuated:] for row in inside], self.prime) if inside else 0,
+            rank(inside, self.prime) if inside else 0,
+        )
 
 
 def exact_grasps(

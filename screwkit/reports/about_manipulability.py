@@ -306,6 +306,13 @@ def internal_blocks(answer: Manipulability) -> tuple[Block, ...]:
         values = ", ".join(decimal(value) for value in index.finite)
         said.append(words(f"values {values}"))
         said += _exactly(index)
+    if index.zero:
+        said.append(
+            words(
+                f"zero for {counted(index.zero, 'direction')} of the torques, which "
+                f"load nothing but loops inside limbs"
+            )
+        )
     if index.infinite:
         said.append(
             words(
