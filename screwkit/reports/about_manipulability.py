@@ -70,7 +70,9 @@ def held(answer: Manipulability) -> tuple[Text, ...]:
         f"{_article(kind, len(names))} {_named(names)}" for kind, names in kinds.items()
     )
     driven = _driven(answer)
-    if answer.all_actuated:
+    if not (answer.actuated or answer.passive):
+        driven = "there are no joints but these: nothing can be actuated"
+    elif answer.all_actuated:
         driven = "the file declares no scheme: all joints are taken as actuated"
     return (
         prose(f"{platform_called(answer.platform_name)} is held by {places}"),
