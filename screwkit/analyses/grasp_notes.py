@@ -11,6 +11,7 @@ from screwkit.analyses.grasp_posture import GraspPosture
 from screwkit.mechanism.graph import limbs
 from screwkit.mechanism.joints import CATALOGUE, RIGID
 from screwkit.metrics.answers import ArmJoints, PostureAnswers
+from screwkit.metrics.float_grasp import float_weights
 from screwkit.results.manipulability import ContactPlace
 
 NEARLY = 1e-11
@@ -125,6 +126,24 @@ def why_no_rule(at: GraspPosture, arms: Sequence[ArmJoints]) -> str:
     held = {hold.joint for hold in matrices.holds.contacts}
     if held - {name for arm in arms for name in arm.contacts}:
         return "a contact belongs to no arm"
+    return _coupled(at, arms)
+
+
+def _coupled(at: GraspPosture, arms: Sequence[ArmJoints]) -> str:
+    """Which weight measures joints of two arms together; empty where none does."""
+    weights = float_weights(at.mechanism, None, {})
+    order = at.matrices.actuated
+    arm_of = {label: arm.name for arm in arms for label in arm.freedoms}
+    for key, weight in (("rates", weights.rates), ("torques", weights.torques)):
+        if weight is None:
+            continue
+        for i, j in zip(*weight.nonzero(), strict=True):
+            one, other = order[i], order[j]
+            if arm_of.get(one) != arm_of.get(other):
+                return (
+                    f"the weight of {key} couples joints {one} and {other} of "
+                    f"different arms"
+                )
     return ""
 
 

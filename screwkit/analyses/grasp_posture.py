@@ -61,9 +61,19 @@ class GraspPosture:
 
     @cached_property
     def family(self) -> GraspFamily | None:
-        """The grasp for all values of the symbols; None where there are none."""
+        """The grasp for all values of the symbols; None where there are none.
+
+        Where loops tie joint variables together these stay 0, and a table, whose
+        closing depends on its parameters, is no family.
+        """
         mechanism = self.symbolic
-        free = mechanism.geometry != "posture" and not why_tied(mechanism)
+        if self.pair is None:
+            return None
+        if why_tied(mechanism):
+            if mechanism.geometry != "reference":
+                return None
+            mechanism = at_zero(mechanism)
+        free = mechanism.geometry != "posture"
         if mechanism.parameters or (free and mechanism.joint_variables):
             return GraspFamily(mechanism, exact_grasps(mechanism, (1,))[0])
         return None

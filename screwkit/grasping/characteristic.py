@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from screwkit.algebra.evaluation import evaluate
-from screwkit.algebra.modular import residue_matrix
+from screwkit.algebra.modular import independent, residue_matrix
 from screwkit.algebra.residue_matrices import Rows, gram, identity
 from screwkit.grasping.exact_grasp import ExactGrasp
 from screwkit.grasping.partition import Blocks
@@ -151,9 +151,18 @@ def _internal(
     prime = grasp.prime
     assert metrics.forces is not None
     assert metrics.torques is not None
-    above = _least(statics.inner, statics.silent, metrics.forces, prime)
+    held = grasp.matrices.held
+    forces = [row[:held] for row in metrics.forces[:held]]
+    silent = [row[:held] for row in statics.silent]
+    above = _least(
+        [row[:held] for row in statics.inner],
+        [silent[i] for i in independent(silent, prime)],
+        forces,
+        prime,
+    )
     below = _least(torques_of(grasp, statics.inner), [], metrics.torques, prime)
-    return _monic(above, below, prime)
+    # Torques that only load loops inside limbs have the value zero, which is counted.
+    return _monic(above, below, prime)[grasp.ranks.inner_torques :]
 
 
 def _least(vectors: Rows, free: Rows, metric: Rows, prime: int) -> Any:

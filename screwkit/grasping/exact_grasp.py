@@ -34,6 +34,8 @@ class Ranks:
         rows: Components of the contact forces.
         actuated, passive, twists: Columns of J_a, J_p and Gᵀ.
         a, p, o, ap, ao, po, apo: The ranks: a of J_a, p of J_p, o of Gᵀ.
+        inside: Of the rows, those of closures inside limbs.
+        inside_p, inside_ap: Ranks of J_p and of [J_a J_p] in these rows alone.
     """
 
     rows: int
@@ -47,6 +49,9 @@ class Ranks:
     ao: int
     po: int
     apo: int
+    inside: int = 0
+    inside_p: int = 0
+    inside_ap: int = 0
 
     def of(self, parts: str) -> int:
         """The rank of the columns of some parts, as in ``ap``."""
@@ -95,6 +100,16 @@ class Ranks:
     def internal(self) -> int:
         """Of H modulo X: torques that leave the object in balance."""
         return self.apo - self.po
+
+    @property
+    def inner_torques(self) -> int:
+        """Of the internal torques those that only load loops inside limbs."""
+        return self.inside_ap - self.inside_p
+
+    @property
+    def contact_indeterminacy(self) -> int:
+        """Of X as far as contacts with the object feel it."""
+        return self.static_indeterminacy - (self.inside - self.inside_ap)
 
 
 @dataclass(frozen=True)
@@ -215,9 +230,20 @@ class ExactGrasp:
             moving = int(self.resting(others).rank()) if others else 0
             return len(self.places(parts)) - (every - moving)
 
-        found = (rank_of(parts) for parts in ("a", "p", "o", "ap", "ao", "po", "apo"))
-        widths = (len(self.places(part)) for part in "apo")
-        return Ranks(len(self.j), *widths, *found)
+        a, p, o, ap, ao, po, apo = map(
+            rank_of, ("a", "p", "o", "ap", "ao", "po", "apo")
+        )
+        inside = self.j[self.matrices.held :]
+        return Ranks(
+            len(self.j),
+            self.actuated,
+            len(self.matrices.passive),
+            self.twists,
+            *(a, p, o, ap, ao, po, apo),
+            len(inside),
+            rank([row[self.actuated :] for row in inside], self.prime),
+            rank(inside, self.prime),
+        )
 
 
 def exact_grasps(

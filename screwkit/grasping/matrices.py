@@ -96,6 +96,11 @@ class GraspMatrices(Generic[S]):
         """Labels of the columns of `j`."""
         return (*self.actuated, *self.passive)
 
+    @property
+    def held(self) -> int:
+        """How many rows are of contacts with the object."""
+        return sum(row.hold.on_object for row in self.rows)
+
 
 def twist_coordinates(mechanism: Mechanism) -> range:
     """The coordinates of a twist that count: all six, or (ωz; vx, vy)."""

@@ -23,6 +23,7 @@ from screwkit.mechanism.model import Demand, Mechanism, Parameter
 from screwkit.mechanism.requirements import Requirement, requirements_of
 from screwkit.mechanism.symbols import closed_values_of, depending_on
 from screwkit.mechanism.vanishing import is_zero
+from screwkit.mechanism.weight_checks import weight_fault
 
 _SOME: Final = 12
 """How many names a message lists."""
@@ -176,6 +177,10 @@ def _contradictions(
     for demand in mechanism.demands:
         if demand.requirement.symbols & changed:
             yield from _demanded(demand, given, closed)
+    for key, rows in mechanism.weights.items():
+        symbols = frozenset(name for row in rows for x in row for name in symbols_of(x))
+        if symbols & changed and (fault := weight_fault(rows, closed)):
+            yield f"weights, {key}: {fault[1]}", symbols
 
 
 def _demanded(

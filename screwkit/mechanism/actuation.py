@@ -110,7 +110,9 @@ def _resolved(
             joint, index = by_name[stem], int(digits[:3])
     if joint is None:
         if not {label, label.rpartition(":")[0]} & draft.lost("name"):
-            near = reading.nearest(label, by_name)
+            near = reading.nearest(
+                label, [n for n, j in by_name.items() if is_actuable(j.type)]
+            )
             reading.fault(path, f"unknown joint {shown(label)}{near}")
         return None
     if not is_actuable(joint.type):

@@ -82,6 +82,24 @@ def _vector(value: object) -> str | tuple[str, ...]:
     return tuple(value)
 
 
+def _refuse_ragged(rows: list[object]) -> None:
+    """Of rows that do not make a square, the first that is too long or too short."""
+    for number, row in enumerate(rows, 1):
+        if not isinstance(row, list):
+            return
+        if len(row) != len(rows):
+            raise PydanticCustomError(
+                "shape",
+                "a square matrix is expected: there are {rows} rows, and row {number} "
+                "has {count}",
+                {
+                    "rows": len(rows),
+                    "number": number,
+                    "count": "one entry" if len(row) == 1 else f"{len(row)} entries",
+                },
+            )
+
+
 def _matrix(value: object) -> tuple[str, ...] | tuple[tuple[str, ...], ...]:
     if isinstance(value, list) and value:
         if all(_is_text(item) for item in value):
@@ -93,6 +111,7 @@ def _matrix(value: object) -> tuple[str, ...] | tuple[tuple[str, ...], ...]:
             for row in value
         ):
             return tuple(tuple(row) for row in value)
+        _refuse_ragged(value)
     raise _wrong("a diagonal (a list) or a square matrix (a list of rows)", value)
 
 

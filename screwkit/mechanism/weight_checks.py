@@ -6,7 +6,7 @@ roots in it is tried in floating point and refused only where it clearly fails.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Final
 
@@ -32,9 +32,10 @@ def check_weights(mechanism: Mechanism, draft: Draft, reading: Reading) -> None:
         path: Path = ("weights", key)
         if key == "contact_forces" and not _fits(mechanism, len(rows), path, reading):
             continue
-        numbers = [[value_at(x, values) for x in row] for row in rows]
-        if all(x is not None for row in numbers for x in row):
-            _check(numbers, path, reading)
+        fault = weight_fault(rows, values)
+        if fault is not None:
+            place, words = fault
+            reading.fault((*path, *place), words)
 
 
 def _fits(mechanism: Mechanism, size: int, path: Path, reading: Reading) -> bool:
@@ -51,36 +52,41 @@ def _fits(mechanism: Mechanism, size: int, path: Path, reading: Reading) -> bool
     return False
 
 
-def _check(
-    numbers: Sequence[Sequence[Expression | None]], path: Path, reading: Reading
-) -> None:
-    size = len(numbers)
-    rational = [rational_value(x) for row in numbers for x in row if x is not None]
-    exact = all(value is not None for value in rational)
+def weight_fault(
+    rows: Sequence[Sequence[Expression]], values: Mapping[str, Expression]
+) -> tuple[Path, str] | None:
+    """Where and why a matrix is no weight at these values; None where it is one.
+
+    Args:
+        rows: Of a square matrix.
+        values: Of its symbols; one without a value leaves the question open.
+    """
+    found = [[value_at(x, values) for x in row] for row in rows]
+    numbers = [[x for x in row if x is not None] for row in found]
+    size = len(rows)
+    if any(len(row) < size for row in numbers):
+        return None
+    exact = all(rational_value(x) is not None for row in numbers for x in row)
     table = [[_value(x) for x in row] for row in numbers]
     for i in range(size):
         for j in range(i):
             if _apart(table[i][j], table[j][i], exact=exact):
-                reading.fault(
-                    (*path, i, j),
+                return (
+                    (i, j),
                     f"the weight is not symmetric: row {i + 1}, column {j + 1} differs "
                     f"from row {j + 1}, column {i + 1}",
                 )
-                return
     failed = _first_bad_pivot(table, exact=exact)
     if failed is None:
-        return
+        return None
     diagonal = all(not table[i][j] for i in range(size) for j in range(size) if i != j)
     if diagonal:
-        reading.fault(
-            (*path, failed), f"entry {failed + 1} of a weight must be positive"
-        )
-    else:
-        reading.fault(
-            path,
-            f"the weight is not positive definite: its leading {failed + 1} by "
-            f"{failed + 1} part has a determinant that is not positive",
-        )
+        return (failed,), f"entry {failed + 1} of a weight must be positive"
+    return (
+        (),
+        f"the weight is not positive definite: its leading {failed + 1} by "
+        f"{failed + 1} part has a determinant that is not positive",
+    )
 
 
 def _apart(a: Fraction, b: Fraction, *, exact: bool) -> bool:
@@ -103,10 +109,8 @@ def _first_bad_pivot(table: Sequence[Sequence[Fraction]], *, exact: bool) -> int
     return None
 
 
-def _value(value: Expression | None) -> Fraction:
+def _value(value: Expression) -> Fraction:
     """The number, or a float that is near it."""
-    if value is None:
-        return Fraction(0)
     known = rational_value(value)
     if known is not None:
         return known

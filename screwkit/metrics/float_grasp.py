@@ -55,7 +55,9 @@ def of_matrices(matrices: GraspMatrices[Any], ranks: Ranks | None) -> FloatGrasp
     lengths = np.sqrt(_filled([matrices.squares], 1, rows))[..., 0, :, None]
     strokes = np.sqrt(_filled([matrices.strokes], 1, moving))
     j = j / lengths / strokes
-    return FloatGrasp(j[..., :split], j[..., split:], gt / lengths, ranks)
+    return FloatGrasp(
+        j[..., :split], j[..., split:], gt / lengths, ranks, matrices.held
+    )
 
 
 def _filled(entries: Sequence[Sequence[Array]], rows: int, columns: int) -> Array:
@@ -78,7 +80,8 @@ def float_weights(
             arrays, a weight that depends on them has shape batch + (n, n).
 
     The weight of contact forces is declared for all six components (f; m) of every
-    contact (three in the plane), and taken here for those that are transmitted.
+    contact (three in the plane), and taken here for those that are transmitted on the
+    object.
     """
     ring = ring_at(mechanism, values)
 
@@ -94,7 +97,7 @@ def float_weights(
 
     forces = None if matrices is None else matrix("contact_forces")
     if forces is not None and matrices is not None:
-        selector = force_selector(matrices)
+        selector = force_selector(matrices)[: matrices.held]
         forces = selector @ forces @ selector.T
     return Weights(
         matrix("twist"), matrix("rates"), matrix("wrench"), matrix("torques"), forces

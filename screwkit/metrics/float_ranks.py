@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from screwkit.algebra.batch import Array
@@ -32,6 +34,16 @@ def float_ranks(grasp: FloatGrasp) -> tuple[Ranks, tuple[int, ...], float]:
         twists,
         *(rank(names) for names in ("a", "p", "o", "ap", "ao", "po", "apo")),
     )
+    if grasp.held is not None and grasp.held < rows:
+        loops = [part[grasp.held :] for part in (grasp.jp, grasp.ja)]
+        found = [split(loops[0]), split(np.concatenate(loops, axis=1))]
+        gaps += [each.gap for each in found]
+        ranks = replace(
+            ranks,
+            inside=rows - grasp.held,
+            inside_p=found[0].rank,
+            inside_ap=found[1].rank,
+        )
     beside = split(_without_passive(grasp))
     gaps.append(beside.gap)
     return ranks, dimensions(ranks, actuated + twists - beside.rank), min(gaps)

@@ -28,7 +28,7 @@ class Weights:
         rates: W_q, of the actuated rates.
         wrench: W_w, of the wrench on the object.
         torques: W_τ, of the actuated torques.
-        forces: W_f, of the components of the contact forces.
+        forces: W_f, of the components of the contact forces on the object.
     """
 
     twist: Array | None = None
@@ -47,12 +47,15 @@ class FloatGrasp:
         jp: Shape (rows, passive).
         gt: Shape (rows, d), its columns those of a twist (ω; v).
         ranks: Where they are known exactly.
+        held: How many rows, the first ones, are of contacts with the object; the others
+            are of closures inside limbs.  None: all.
     """
 
     ja: Array
     jp: Array
     gt: Array
     ranks: Ranks | None = None
+    held: int | None = None
 
     @property
     def g(self) -> Array:
@@ -161,6 +164,10 @@ def both_indices(grasp: FloatGrasp, weights: Weights) -> tuple[Index, Index]:
 def internal_index(statics: Statics, grasp: FloatGrasp, weights: Weights) -> Index:
     """The internal-force index with another weight of contact forces.
 
+    Contact forces against torques, both in balance on the object.  Loads of loops
+    inside limbs are no contact forces: which joint closes such a loop is no property of
+    the mechanism.  Torques that cause nothing else have the value zero.
+
     Args:
         statics: Of `indices`, with the same weights but for that one.
         grasp: At the same posture.
@@ -169,23 +176,28 @@ def internal_index(statics: Statics, grasp: FloatGrasp, weights: Weights) -> Ind
     Raises:
         numpy.linalg.LinAlgError: If it is not positive definite.
     """
+    ranks = grasp.ranks
+    unseen = 0 if ranks is None else ranks.inner_torques
+    silent, inner = statics.silent, statics.inner
+    loose = silent.shape[1] if ranks is None else ranks.contact_indeterminacy
     to_forces = _root(weights.forces)
-    silent = _through(to_forces, statics.forces @ statics.silent)
-    inner = _through(to_forces, statics.forces @ statics.inner)
-    count = statics.inner.shape[1] - statics.silent.shape[1]
-    known = split(silent, statics.silent.shape[1])
-    apart = split(without(inner, known.column_space), count)
-    back = _back(to_forces, grasp.ja.shape[0])
-    y = apart.column_space
-    x = -_through(_root(weights.torques), grasp.ja.T @ (back @ y))
-    scales, joint, task = _stationary(x, y)
+    held = statics.forces[: grasp.held]
+    count = inner.shape[1] - silent.shape[1]
+    apart = split(without(inner, silent), count).column_space
+    known = split(_through(to_forces, held @ silent), loose).column_space
+    y = without(_through(to_forces, held @ apart), known)
+    back = _back(to_forces, len(held))
+    scales, joint, task = _stationary(statics.torques @ apart, y)
+    seen = count - unseen
+    inside = statics.torques @ apart @ split(y, seen).null_space
     return Index(
-        finite=scales**2,
-        infinite=statics.silent.shape[1],
-        zero=0,
-        task=_unit_rows(back @ task),
-        joint=_unit_rows(statics.from_torque @ joint),
-        infinite_task=_unit_rows(statics.forces @ statics.silent),
+        finite=scales[:seen] ** 2,
+        infinite=loose,
+        zero=unseen,
+        task=_unit_rows(back @ task[:, :seen]),
+        joint=_unit_rows(statics.from_torque @ joint[:, :seen]),
+        infinite_task=_unit_rows(back @ known),
+        zero_joint=_unit_rows(statics.from_torque @ inside),
     )
 
 
@@ -233,7 +245,7 @@ def _kinematic(
 def _stationary(x: Array, y: Array) -> tuple[Array, Array, Array]:
     """Stationary ratios |y w|/|x w|, descending, with the unit vectors x w and y w.
 
-    ``x`` has full column rank; so has ``y``.
+    ``x`` has full column rank; where ``y`` has not, the last ratios are zero.
     """
     k = x.shape[1]
     if not k:

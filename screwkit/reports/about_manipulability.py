@@ -70,7 +70,9 @@ def held(answer: Manipulability) -> tuple[Text, ...]:
         f"{_article(kind, len(names))} {_named(names)}" for kind, names in kinds.items()
     )
     driven = _driven(answer)
-    if answer.all_actuated:
+    if not (answer.actuated or answer.passive):
+        driven = "there are no joints but these: nothing can be actuated"
+    elif answer.all_actuated:
         driven = "the file declares no scheme: all joints are taken as actuated"
     return (
         prose(f"{platform_called(answer.platform_name)} is held by {places}"),
@@ -306,6 +308,13 @@ def internal_blocks(answer: Manipulability) -> tuple[Block, ...]:
         values = ", ".join(decimal(value) for value in index.finite)
         said.append(words(f"values {values}"))
         said += _exactly(index)
+    if index.zero:
+        said.append(
+            words(
+                f"zero for {counted(index.zero, 'direction')} of the torques, which "
+                f"load nothing but loops inside limbs"
+            )
+        )
     if index.infinite:
         said.append(
             words(

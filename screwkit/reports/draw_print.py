@@ -1,6 +1,7 @@
 """Pictures for print: vector PDF and SVG, drawn by matplotlib.
 
-Bodies are lines between their joints, the platform is filled; joints that turn are
+Bodies are lines between their joints, closed where there are three or more, and the
+platform is filled; joints that turn are
 circles and sliding ones squares, filled where a motor drives them and open where they
 are passive; contacts are triangles.  Nothing of a mechanism's text is ever taken as
 mathematics or markup.
@@ -28,7 +29,7 @@ from screwkit.reports.figures import (
     polygon_in_space,
     written,
 )
-from screwkit.reports.outlines import around
+from screwkit.reports.outlines import drawn_through
 from screwkit.reports.panels import EllipseShape, Panel
 from screwkit.reports.printing import printable
 from screwkit.results.scene import BodyShape, JointShape, Point
@@ -93,14 +94,15 @@ def _flat(axes: Any, panel: Panel) -> None:
 
 
 def _flat_body(axes: Any, body: BodyShape) -> None:
-    xs = [point[0] for point in body.points]
-    ys = [point[1] for point in body.points]
+    points = drawn_through(body)
+    xs = [point[0] for point in points]
+    ys = [point[1] for point in points]
     if body.role == "base":
         axes.plot(
             xs, ys, linestyle="none", marker="_", markersize=14, color=GREY, zorder=1
         )
         return
-    if body.role == "platform" and len(body.points) > 2:
+    if body.role == "platform" and len(points) > 2:
         axes.fill(xs, ys, facecolor=PLATFORM, edgecolor=BLUE, linewidth=1.2, zorder=1)
         return
     colour = BLUE if body.role == "platform" else BLACK
@@ -169,9 +171,9 @@ def _solid(axes: Any, panel: Panel) -> None:
 
 
 def _solid_body(axes: Any, body: BodyShape) -> None:
-    points = list(dict.fromkeys(body.points))
+    points = drawn_through(body)
     if body.role == "platform" and len(points) > 2:
-        axes.add_collection3d(polygon_in_space(around(points), PLATFORM, BLUE))
+        axes.add_collection3d(polygon_in_space(points[:-1], PLATFORM, BLUE))
         return
     if body.role == "base":
         xs, ys, zs = zip(*points, strict=True)

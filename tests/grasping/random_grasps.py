@@ -29,6 +29,10 @@ class Matrices:
     def freedoms(self) -> tuple[str, ...]:
         return (*self.actuated, *self.passive)
 
+    @property
+    def held(self) -> int:
+        return len(self.j)
+
 
 @dataclass(frozen=True)
 class Modulus:

@@ -8,7 +8,12 @@ import pytest
 
 import screwkit as sk
 from screwkit import cli
-from screwkit.errors import MechanismFileError, ScrewkitError, UndecidedError
+from screwkit.errors import (
+    MechanismFileError,
+    ScrewkitError,
+    UndecidedError,
+    UnfitValueError,
+)
 from screwkit.results.manipulability import Manipulability
 
 FILE = """screwkit: 1
@@ -48,7 +53,7 @@ WEIGHT = "weights: {{rates: {rows}}}\n"
         ("[[1, 0], [1, 1]]", "not symmetric: row 2, column 1 differs"),
         ("[[0, 0], [0, 1]]", "entry 1 of a weight must be positive"),
         ("[[1, 0, 0], [0, 1, 0], [0, 0, 1]]", "2"),
-        ("[[1, 0], [0]]", "row"),
+        ("[[1, 0], [0]]", "there are 2 rows, and row 2 has one entry"),
         ("[w, 1]", "unknown name 'w'"),
     ],
 )
@@ -58,6 +63,28 @@ def test_weights_that_are_none(tmp_path: Path, rows: str, said: str) -> None:
     (fault,) = caught.value.faults
     assert said in fault.message
     assert (fault.line, fault.column > 1) == (14, True)
+
+
+@pytest.mark.parametrize(
+    ("rows", "value", "said"),
+    [
+        ("[w, 1]", "-1", "entry 1 of a weight must be positive"),
+        ("[[2, w], [w, 2]]", "2", "not positive definite: its leading 2 by 2 part"),
+    ],
+)
+def test_values_from_outside_that_spoil_a_weight(
+    tmp_path: Path, rows: str, value: str, said: str
+) -> None:
+    text = FILE + "parameters: {w: 1}\n" + WEIGHT.format(rows=rows)
+    path = tmp_path / "fingers.yaml"
+    path.write_text(text, encoding="utf-8")
+    assert sk.manipulability(sk.load(path, set_values={"w": "3/2"})).actuated
+    for option in ("set_values", "at"):
+        with pytest.raises(UnfitValueError) as caught:
+            sk.load(path, **{option: {"w": value}})  # type: ignore[arg-type]
+        flag = "--set" if option == "set_values" else "--at"
+        assert f"{flag} w={value}: weights, rates: " in str(caught.value)
+        assert said in str(caught.value)
 
 
 @pytest.mark.parametrize(
@@ -191,3 +218,22 @@ def test_a_posture_that_is_not_reached_is_undecided(
     out, err = capsys.readouterr()
     assert stop.value.code == 1
     assert "qA" in out + err
+
+
+def test_a_mistyped_actuator_is_answered_with_a_joint_that_can_be_one(
+    tmp_path: Path,
+) -> None:
+    """The contact 'ca' is as near to 'a9', but no motor can drive it."""
+    text = FILE.replace("name: A,", "name: a1,").replace("[A, B]", "[a9, B]")
+    with pytest.raises(MechanismFileError) as caught:
+        measured(tmp_path, text)
+    assert "unknown joint 'a9' (did you mean 'a1'?)" in caught.value.faults[0].message
+
+
+def test_palm_contacts_alone_have_nothing_to_actuate(tmp_path: Path) -> None:
+    lines = [x for x in FILE.splitlines() if "revolute" not in x and "act" not in x]
+    text = "\n".join(lines).replace("parent: left", "parent: palm")
+    text = text.replace("parent: right", "parent: palm").replace("left, right, ", "")
+    answer = str(measured(tmp_path, text))
+    assert "nothing can be actuated" in answer
+    assert "all joints are taken" not in answer

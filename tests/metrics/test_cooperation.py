@@ -198,6 +198,45 @@ def test_an_arm_without_full_row_rank_breaks_the_rules(tmp_path: Path) -> None:
     assert "has not full row rank" in found.rule
 
 
+def parts_of(arms: list[Arm], weight: Array) -> tuple[Array, list[Array]]:
+    """What a twist of the object costs, uᵀ A u: of all arms, and of each alone."""
+
+    def cost(columns: Array, weight: Array) -> Array:
+        return np.asarray(np.linalg.inv(columns @ np.linalg.inv(weight) @ columns.T))
+
+    size, counts = 3, [arm.jacobian.shape[1] for arm in arms]
+    ends = np.cumsum([0, *counts])
+    stacked = np.zeros((size * len(arms), int(ends[-1])))
+    singles = []
+    for number, arm in enumerate(arms):
+        own = slice(int(ends[number]), int(ends[number + 1]))
+        stacked[size * number : size * (number + 1), own] = arm.at_object
+        singles.append(cost(arm.at_object, weight[own, own]))
+    repeated = np.tile(np.eye(size), (len(arms), 1))
+    return repeated.T @ cost(stacked, weight) @ repeated, singles
+
+
+@pytest.mark.parametrize("key", ["rates", "torques"])
+@pytest.mark.parametrize("place", [(0, 1), (0, 3)])
+def test_a_weight_across_arms_breaks_the_rules(
+    tmp_path: Path, key: str, place: tuple[int, int]
+) -> None:
+    """Inside one arm it does not: (30) holds with the arm's own part of the weight."""
+    text, arms = drawn(0, 3, [3, 3])
+    weight = np.eye(6) * 2
+    weight[place] = weight[place[::-1]] = 1
+    whole, singles = parts_of(arms, weight)
+    alike = bool(np.allclose(whole, sum(singles), rtol=1e-9))
+    assert alike == (place == (0, 1))
+    rows = f"weights: {{{key}: {weight.astype(int).tolist()}}}\n"
+    found = measured(tmp_path, text + rows).cooperative
+    assert isinstance(found, Cooperative)
+    assert (found.rule == "") == alike
+    assert all(bool(arm.shares) == alike for arm in found.arms)
+    if not alike:
+        assert f"weight of {key} couples joints a0 and b0" in found.rule
+
+
 def test_one_arm_is_no_cooperation(tmp_path: Path) -> None:
     text, _ = drawn(0, 3, [3])
     found = measured(tmp_path, text).cooperative

@@ -10,6 +10,7 @@ import random
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -24,6 +25,7 @@ from kinematics.random_mechanisms import (
     written,
 )
 
+import screwkit as sk
 from screwkit.algebra.expression import Number
 from screwkit.analyses.manipulability import manipulability
 from screwkit.kinematics.network import Network
@@ -160,3 +162,62 @@ def test_the_unit_of_length_is_no_matter_with_a_length_for_a_radian(
         other.kinematic.infinite,
         other.kinematic.zero,
     )
+
+
+FINGER = """screwkit: 1
+name: finger
+space: planar
+geometry: posture
+base: palm
+platform: object
+links: [palm, l1, l2, l3, g, object]
+actuated: [{actuated}]
+joints:
+{joints}
+"""
+LOOP = {
+    "a": "type: revolute, parent: palm, child: l1, point: [0, 0]",
+    "b": "type: revolute, parent: palm, child: l2, point: [1, 0]",
+    "c": "type: revolute, parent: l1, child: l3, point: [0, 2]",
+    "d": "type: revolute, parent: l2, child: l3, point: [3/2, 2]",
+    "e": "type: revolute, parent: palm, child: g, point: [4, 0]",
+    "ca": "type: hard_finger, parent: l3, child: object, point: [1, 4]",
+    "cb": "type: line, parent: g, child: object, point: [3, 3], normal: [-1, 0]",
+}
+
+
+def fingers(
+    folder: Path, order: str, actuated: str, weights: str = ""
+) -> Manipulability:
+    """A finger that is a four-bar linkage, and one link, hold an object."""
+    names = [*order, "ca", "cb"]
+    joints = "\n".join(f"  - {{name: {name}, {LOOP[name]}}}" for name in names)
+    path = folder / "finger.yaml"
+    text = FINGER.format(actuated=actuated, joints=joints) + weights
+    path.write_text(text, encoding="utf-8")
+    return sk.manipulability(sk.load(path))
+
+
+@pytest.mark.parametrize("order", ["abcde", "abdce", "dcbae", "ecabd"])
+def test_which_joint_closes_a_loop_is_no_matter(tmp_path: Path, order: str) -> None:
+    """Contact forces are those on the object; loads of joints inside a limb are not.
+
+    In balance are (λ, 0) at ca, (-λ, 0) and the moment λ at cb: |f|² = 3 λ².  The
+    coupler turns about (0, -4) a third as fast as its cranks, and ca is 8 above: the
+    cranks need 8/3 λ together, and e, from which the force is 3 away, 4 λ.
+    """
+    one = fingers(tmp_path, order, "a, e").internal_force
+    assert one.finite == pytest.approx([3 / ((8 / 3) ** 2 + 4**2)], rel=1e-12)
+    assert (one.zero, one.infinite, one.polynomial) == (0, 0, "x - 27/208")
+    # Two cranks share the torque, or press against each other with none at the tips.
+    two = fingers(tmp_path, order, "a, b, e").internal_force
+    assert two.finite == pytest.approx([3 / (2 * (4 / 3) ** 2 + 4**2)], rel=1e-12)
+    assert (two.zero, two.infinite, two.polynomial) == (1, 0, "x - 27/176")
+    assert np.allclose(np.abs(two.zero_directions), [[0.5**0.5, 0.5**0.5, 0]])
+
+
+@pytest.mark.parametrize("order", ["abcde", "dcbae"])
+def test_weights_of_contact_forces_leave_loops_out(tmp_path: Path, order: str) -> None:
+    weights = "weights: {contact_forces: [2, 9, 9, 3, 9, 5]}\n"
+    index = fingers(tmp_path, order, "a, e", weights).internal_force
+    assert index.finite == pytest.approx([(2 + 3 + 5) / (64 / 9 + 16)], rel=1e-12)

@@ -189,3 +189,45 @@ def test_a_table_is_exact_wherever_it_is_set(tmp_path: Path) -> None:
     gt = np.vstack([np.eye(3)] * 2)
     assert answer.actuated == ("A1", "A2", "B1")
     assert np.allclose(answer.kinematic.finite, finite(j, gt, 3), rtol=1e-8)
+
+
+FOUR_BAR = """screwkit: 1
+name: four
+space: planar
+geometry: reference
+base: ground
+platform: coupler
+links: [ground, crank, rocker, coupler]
+parameters:
+  w: {value: 3, positive: true}
+joints:
+  - {name: a, type: revolute, parent: ground, child: crank, point: [0, 0]}
+  - {name: b, type: revolute, parent: crank, child: coupler, point: [0, 1]}
+  - {name: c, type: revolute, parent: ground, child: rocker, point: [w, 0]}
+  - {name: d, type: revolute, parent: rocker, child: coupler, point: [w - 1, 2]}
+actuated: [a]
+reference_point: [1, 2]
+"""
+
+
+def test_symbols_of_a_loop_are_those_of_its_closed_posture(tmp_path: Path) -> None:
+    """Joint variables that a loop ties are no symbols that one could choose.
+
+    The lines of crank and rocker meet in I = (0, 2 w), 2 w - 1 from b and 1 from a on
+    the other side: ω = -1/(2 w - 1), and the point (1, 2) has the lever (1, 2 - 2 w).
+    """
+    path = tmp_path / "four.yaml"
+    path.write_text(FOUR_BAR, encoding="utf-8")
+    here = sk.manipulability(sk.load(path))
+    (motion,) = here.partition.blocks[0].motions
+    assert here.partition.symbolic
+    for w in (3, 5):
+        value = (1 + 1 + (2 - 2 * w) ** 2) / (2 * w - 1) ** 2
+        formula = here.symbolic.kinematic.replace("^", "**")
+        assert eval(formula, {"x": value, "w": w}) == pytest.approx(0, abs=1e-12)
+        twist = [eval(t, {"w": w}) for t in motion.twist]
+        assert np.allclose(np.divide(twist, twist[0])[1:], [2 * w - 2, 1])
+    assert here.kinematic.finite == pytest.approx([18 / 25])
+    moved = sk.manipulability(sk.load(path, at={"qa": "0.3"}))
+    assert not moved.symbolic.kinematic
+    assert not moved.partition.symbolic

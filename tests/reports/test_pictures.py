@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -17,7 +18,7 @@ from screwkit.errors import ScrewkitError
 from screwkit.reports.draw_map import map_picture
 from screwkit.reports.draw_print import picture
 from screwkit.reports.figures import Form
-from screwkit.reports.panels import panels_of
+from screwkit.reports.panels import Panel, panels_of
 from screwkit.reports.records import (
     Result,
     from_json,
@@ -27,6 +28,7 @@ from screwkit.reports.records import (
 from screwkit.reports.sections import answer_blocks
 from screwkit.reports.text import render
 from screwkit.results.manipulability import Manipulability
+from screwkit.results.scene import BodyShape, JointShape, Scene
 
 MAGIC = {"pdf": b"%PDF", "svg": b"<?xml", "png": b"\x89PNG"}
 HOSTILE = r"a$_{x}^\%&#~<b>é"
@@ -45,6 +47,27 @@ def test_the_same_picture_is_the_same_file(name: str, form: Form) -> None:
     first = picture(panels, form)
     assert first.startswith(MAGIC[form])
     assert first == picture(panels, form)
+
+
+@pytest.mark.parametrize("role", ["platform", "link"])
+def test_outlines_do_not_cross_themselves(role: str) -> None:
+    """Contacts at the corners of a square, listed crosswise: the shoelace area is 4."""
+    corners = ((-1.0, 1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, -1.0))
+    body = BodyShape("b", tuple((x, y, 0.0) for x, y in corners), role)
+    joint = JointShape("j", "contact", (-1.0, 1.0, 0.0), (0.0, 0.0, 0.0), False)
+    scene = Scene((body,), (joint,), True, (0.0, 0.0, 0.0), 2.0)
+    drawn = picture([Panel("p", scene, (), "")], "svg").decode()
+    areas = []
+    for path in re.findall(r'<path d="(M [^"]*)"', drawn):
+        ends = [float(x) for x in re.findall(r"-?\d+\.?\d*", path)]
+        xy = np.reshape(ends, (-1, 2)) if len(ends) in (8, 10) else np.zeros((1, 2))
+        x, y = xy.T
+        wide = np.ptp(x) * np.ptp(y)
+        twice = abs(np.dot(x, np.roll(y, 1)) - np.dot(y, np.roll(x, 1)))
+        areas.append((wide, twice / 2 / wide if wide else 0.0))
+    # Page and axes are full rectangles; the body is the next in size.
+    sizes = sorted({round(area, 3): full for area, full in areas}.items())
+    assert [full for _, full in sizes[-3:]] == pytest.approx([1, 1, 1])
 
 
 @pytest.mark.parametrize("name", CASES)
