@@ -76,6 +76,11 @@ class Branch:
         """Each condition was irreducible and not zero on the branch before it."""
         return len(self.conditions)
 
+    @cached_property
+    def texts(self) -> frozenset[str]:
+        """Of the conditions."""
+        return frozenset(map(str, self.conditions))
+
     @property
     def sheets(self) -> tuple[Polynomial, ...]:
         """What tells this branch from the other sheets of the same conditions."""

@@ -29,7 +29,11 @@ from screwkit.algebra.cases import (
 )
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.linear_systems import linear_systems
-from screwkit.algebra.nowhere_zero import loses_a_direction, without_nowhere_zero
+from screwkit.algebra.nowhere_zero import (
+    is_excluded,
+    loses_a_direction,
+    without_nowhere_zero,
+)
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import coefficients_in, unknowns
 from screwkit.algebra.real_zeros import vanishing_together
@@ -88,6 +92,8 @@ def _descend(
     polynomials = branch.without_roots(polynomials)
     left = _still_open(branch, polynomials, search)
     if left is None:
+        if is_excluded(branch, nonzero):
+            return
         if not _eliminated(branch, polynomials, nonzero, search):
             search.unfinished.append(branch)
         return
@@ -148,6 +154,8 @@ def _settle(
     search: Search,
 ) -> None:
     """Take a branch on which all polynomials vanish, or what it consists of."""
+    if not branch.points and is_excluded(branch, nonzero):
+        return
     if _eliminated(branch, polynomials, nonzero, search):
         return
     exact = told_apart(branch, search) if _is_possible(branch) else None

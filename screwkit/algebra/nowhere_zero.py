@@ -77,3 +77,22 @@ def loses_a_direction(branch: Branch) -> bool:
         ):
             return True
     return False
+
+
+def is_excluded(branch: Branch, nonvanishing: Sequence[Polynomial]) -> bool:
+    """Whether a branch is empty: something non-zero would be zero on all of it.
+
+    Proved: a pending condition divides a polynomial without a zero on the branch.
+    """
+    if not branch.pending or not nonvanishing:
+        return False
+    ring = branch.ring
+    layout = Layout.of(ring)
+    halves = HalfAngles(ring, layout)
+    divisors = [Divisor(p.value, ring, halves, layout) for p in branch.pending]
+    return any(
+        divisor.divide(polynomial) is not None
+        for divisor in divisors
+        for polynomial in nonvanishing
+        if not polynomial.is_constant()
+    )

@@ -13,9 +13,9 @@ from screwkit.algebra.branches import Branch
 from screwkit.analyses.limb_component import limb_component
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.told_parts import own_parts
+from screwkit.loci.exact_equations import Singularity, with_exact_equations
 from screwkit.loci.hybrid_strata import HybridStrata, generic_motion, hybrid_strata
 from screwkit.loci.loop_drop import undecided
-from screwkit.loci.loose_equations import about_loose, loose
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.strata import LimbStrata, limb_strata
 from screwkit.results.singularities import LimbSingularities
@@ -40,10 +40,6 @@ def hybrid_limb(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
     root, library = assembly.root(framed.ring), assembly.library(framed.ring)
     strata = _strata(assembly, limb)
     meanings = Meanings(framed, root, library)
-    components = tuple(
-        limb_component(piece, dimension, meanings, assembly.dimension)
-        for piece, dimension in strata.narrow
-    )
     parts, height = own_parts(assembly, limb)
     generic = strata.strata[0].dimension
 
@@ -51,10 +47,17 @@ def hybrid_limb(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
         motion = generic_motion([branch], parts, height)
         return motion is not None and motion.dimension < generic
 
-    pieces = [piece for piece, _ in strata.narrow]
-    unclear = about_loose(len(loose(root, pieces, is_singular, library)))
+    exact = with_exact_equations(
+        [piece for piece, _ in strata.narrow],
+        Singularity(root, [parts, ()], height, is_singular, library),
+    )
+    dimensions = [dimension for _, dimension in strata.narrow]
+    components = tuple(
+        limb_component(piece, dimension, meanings, assembly.dimension)
+        for piece, dimension in zip(exact.pieces, dimensions, strict=True)
+    )
     left = undecided(strata.open) if strata.open else ""
-    complete = not strata.open and not unclear
+    complete = not strata.open and not exact.uncertain
     return LimbSingularities(
         limb=limb.name,
         joints=limb.joints,
@@ -62,7 +65,7 @@ def hybrid_limb(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
         complete=complete,
         components=components,
         proof=_proof(strata) if complete else "",
-        reason="; ".join(filter(None, [left, unclear])),
+        reason="; ".join(filter(None, [left, exact.reason])),
     )
 
 

@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
@@ -18,9 +19,15 @@ from screwkit.analyses.limb_component import limb_component
 from screwkit.analyses.superbracket import superbracket
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.limb_parts import Parts
+from screwkit.kinematics.loop_state import LoopState
 from screwkit.kinematics.told_parts import told_parts
 from screwkit.loci.actuation import actuation_locus
 from screwkit.loci.canonical import in_known_conditions
+from screwkit.loci.exact_equations import (
+    ExactPieces,
+    Singularity,
+    with_exact_equations,
+)
 from screwkit.loci.hybrid_actuation import state_on
 from screwkit.loci.lifting import with_sheets_together
 from screwkit.loci.loop_drop import (
@@ -30,12 +37,12 @@ from screwkit.loci.loop_drop import (
     rank_is_lost,
     undecided,
 )
-from screwkit.loci.loose_equations import about_loose, loose
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece, pieces_of, told_apart
 from screwkit.loci.rank_drop import generic_rank, rank_drop
 from screwkit.loci.strata import in_ring
 from screwkit.loci.wording import all_solutions, equations_of, solved_equations
+from screwkit.loci.wrench_sums import height_of
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
     ActuationSingularities,
@@ -233,35 +240,38 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
         in_known_conditions(piece, root, known, Search(library))
         for piece in with_sheets_together(drop.pieces)
     ]
-    pieces = told_apart(pieces, known)
+    exact = _exact(root, told_apart(pieces, known), limbs, drop.generic, library)
     components = tuple(
         _constraint_component(piece, limbs, meanings, assembly.dimension)
-        for piece in _in_order(pieces)
+        for piece in _in_order(exact.pieces)
     )
-    unclear = about_loose(_loose(assembly, root, pieces, limbs))
-    complete = drop.complete and not unclear
+    complete = drop.complete and not exact.uncertain
     return ConstraintSingularities(
         generic_rank=drop.generic.loop,
         complete=complete,
         components=components,
         proof=_constraint_proof(drop) if complete else "",
-        reason="; ".join(filter(None, [drop.reason, unclear])),
+        reason="; ".join(filter(None, [drop.reason, exact.reason])),
     )
 
 
-def _loose(
-    assembly: Assembly, root: Branch, pieces: Sequence[Piece], limbs: Sequence[Parts]
-) -> int:
-    """How many pieces may have equations that hold elsewhere, with loops in limbs."""
-    generic = loop_state(root, limbs)
-    if not assembly.has_blocks or generic is None:
-        return 0
+def _exact(
+    root: Branch,
+    pieces: Sequence[Piece],
+    limbs: Sequence[Parts],
+    generic: LoopState,
+    library: FactorLibrary,
+) -> ExactPieces:
+    """The pieces with equations at whose zeros the loops have lost rank."""
 
-    def is_singular(branch: Branch) -> bool:
+    def holds_on(branch: Branch) -> bool:
         state = loop_state(branch, limbs)
         return state is not None and rank_is_lost(state, generic)
 
-    return len(loose(root, pieces, is_singular, assembly.library(root.ring)))
+    height = height_of(limbs)
+    return with_exact_equations(
+        pieces, Singularity(root, limbs, height, holds_on, library)
+    )
 
 
 def _constraint_proof(drop: LoopDrop) -> str:

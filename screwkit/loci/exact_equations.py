@@ -1,10 +1,12 @@
-"""Equations that hold on a piece alone, not at regular postures besides.
+"""Equations that hold at singular postures alone, made so or told.
 
 A piece of codimension two or more may need more equations than its codimension: three
 points of the plane are in line with the origin where three determinants vanish, and two
-of these vanish at regular postures too.  All zeros of a piece's equations are taken
-apart; each part on which the loop constraint matrix keeps its rank is excluded by a
-minor of the matrix that is not zero there.
+of these vanish at regular postures too.  So do conditions that were solved one after
+the other, each where the coefficient of a symbol is not zero: that coefficient may
+vanish.  All zeros of a piece's equations are taken apart; each part on which nothing is
+singular is excluded by a minor of the loop equations that is not zero there.  Where the
+parts could not be told, or no such minor was found, the piece is counted.
 
 References: [CoxLittleOShea] §9.1 (determinantal varieties).
 """
@@ -12,82 +14,193 @@ References: [CoxLittleOShea] §9.1 (determinantal varieties).
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.cases import possible_factors
-from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.decomposition import common_zeros, other_parts
+from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.minors import minors_of
 from screwkit.algebra.modular import independent
 from screwkit.algebra.points import Point, rank_at, residue
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.errors import TooLargeError
-from screwkit.kinematics.assembly import loop_rows
+from screwkit.kinematics.limb_parts import Parts
+from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.loci.pieces import Piece
-from screwkit.loci.rank_drop import Column
 
 _BUDGET = 120  # case distinctions for the zeros of one piece's equations
+_ROUNDS = 3  # of exclusion: an equation may leave less, but not nothing
 _TRIED = 12  # choices of rows and columns, of which the shortest minor is taken
 _PRODUCTS = 20_000  # of terms, in the expansion of a minor by one more column
 
 
-def with_exact_equations(
-    piece: Piece, root: Branch, limbs: Sequence[Sequence[Column]], search: Search
-) -> Piece:
-    """The piece with equations that exclude regular postures, where these are found.
+@dataclass(frozen=True)
+class Singularity:
+    """What makes a posture singular.
+
+    Wherever it is, the loop equations of ``limbs`` must have less than their generic
+    rank: so they do where limbs lose twists, loops lose constraints, or a locked
+    platform moves, since what stays idle beside that never becomes less.
+
+    Attributes:
+        root: The whole configuration space.
+        limbs: Side by side between base and platform; one limb and an empty one for
+            the twists of the first.
+        height: Coordinates of a twist.
+        holds_on: Whether it is so in general on a branch with exact points.
+        library: Factors met before.
+    """
+
+    root: Branch
+    limbs: Sequence[Parts]
+    height: int
+    holds_on: Callable[[Branch], bool]
+    library: FactorLibrary
+
+    @cached_property
+    def columns(self) -> list[list[Polynomial]]:
+        """Of the loop equations, those inside limbs too."""
+        return loop_columns(self.limbs, self.height)
+
+    @cached_property
+    def rank(self) -> int:
+        """Of the loop equations, generic."""
+        return max(rank_at(self.columns, *point) for point in self.root.points)
+
+
+@dataclass(frozen=True)
+class ExactPieces:
+    """Pieces whose equations hold at singular postures alone, as far as known.
+
+    Attributes:
+        uncertain: How many of them have equations that may hold at others too.
+    """
+
+    pieces: tuple[Piece, ...]
+    uncertain: int
+
+    @property
+    def reason(self) -> str:
+        """That some equations may say too much, in words; empty for none."""
+        if not self.uncertain:
+            return ""
+        noun = "component" if self.uncertain == 1 else "components"
+        count = "one" if self.uncertain == 1 else self.uncertain
+        return f"the equations of {count} {noun} may hold at regular postures too"
+
+
+def with_exact_equations(pieces: Sequence[Piece], singular: Singularity) -> ExactPieces:
+    """The pieces with equations that exclude regular postures, where these are found.
 
     Args:
-        piece: On which the loop constraint matrix has less than its generic rank.
-        root: The whole configuration space.
-        limbs: Twists of each limb.
-        search: Known factors.
+        pieces: Singular in general.
+        singular: What that means.
     """
-    branch = piece.branches[0]
-    solved = not any(step.partial for step in branch.steps)
-    if not limbs or (solved and len(branch.pending) < 2):
-        return piece
-    own = Search(search.library, budget=_BUDGET, largest=search.largest)
-    own = replace(
-        own,
-        every_part=True,
-        skip=lambda part: part.codimension > piece.codimension,
-    )
-    zeros = common_zeros(root, piece.equations, own)
-    if not zeros.complete:
-        return piece
-    rows = loop_rows(limbs)
-    generic = max(rank_at(rows, *point) for point in root.points)
+    found: list[Piece] = []
+    uncertain = 0
+    for piece in pieces:
+        exact, is_certain = _exact(piece, singular)
+        found.append(exact)
+        uncertain += not is_certain
+    return ExactPieces(tuple(found), uncertain)
+
+
+def _exact(piece: Piece, singular: Singularity) -> tuple[Piece, bool]:
+    """The piece, more equations added, and whether they are enough."""
+    for _ in range(_ROUNDS):
+        if len(piece.equations) < 2 or all(map(_is_solved, piece.branches)):
+            return piece, True
+        parts, is_whole = _regular_parts(piece, singular)
+        if not parts:
+            return piece, is_whole
+        extra = _excluding(parts, piece, singular)
+        if not extra:
+            return piece, False
+        piece = replace(piece, equations=(*piece.equations, *extra))
+    parts, is_whole = _regular_parts(piece, singular)
+    return piece, is_whole and not parts
+
+
+def _is_solved(branch: Branch) -> bool:
+    """Whether each condition has no zero but those that were taken."""
+    return len(branch.pending) < 2 and not any(step.partial for step in branch.steps)
+
+
+def _regular_parts(piece: Piece, singular: Singularity) -> tuple[list[Branch], bool]:
+    """Parts of the zeros on which nothing is singular, and whether these are all."""
+    found: list[Branch] = []
+    is_whole = True
+    for equations in _where_to_look(piece):
+        waiting = [singular.root]
+        while waiting:
+            search = _search(singular)
+            zeros = common_zeros(waiting.pop(), equations, search)
+            is_whole = is_whole and zeros.complete
+            for part in zeros.branches:
+                others = other_parts(part, search)
+                is_whole = is_whole and others is not None and bool(part.points)
+                waiting += others or ()
+                if part.points and not singular.holds_on(part):
+                    found.append(part)
+    return found, is_whole
+
+
+def _search(singular: Singularity) -> Search:
+    """For parts that are not singular; those whose zeros are one set end there."""
+
+    def is_settled(part: Branch) -> bool:
+        single = len(part.pending) < 2 and bool(part.points)
+        return single and singular.holds_on(part)
+
+    own = Search(singular.library, budget=_BUDGET)
+    return replace(own, every_part=True, skip=is_settled)
+
+
+def _where_to_look(piece: Piece) -> Iterator[tuple[Polynomial, ...]]:
+    """The equations, and again with each divisor that solving them took as non-zero."""
+    yield piece.equations
+    seen: set[str] = set()
+    for branch in piece.branches:
+        for step in branch.steps:
+            if step.partial and str(step.divisor) not in seen:
+                seen.add(str(step.divisor))
+                yield (*piece.equations, step.divisor)
+
+
+def _excluding(
+    parts: Sequence[Branch], piece: Piece, singular: Singularity
+) -> list[Polynomial]:
+    """Equations that hold on the piece and fail on each of these parts."""
     extra: list[Polynomial] = []
-    for part in zeros.branches:
+    for part in parts:
         for point, prime in part.points:
-            if rank_at(rows, point, prime) < generic:
+            if rank_at(singular.columns, point, prime) < singular.rank:
                 continue
             if any(residue(e, point, prime) for e in extra):
                 continue
-            minor = _minor_at(root, rows, point, prime)
+            minor = _minor_at(singular, point, prime)
             if minor is not None:
-                extra.append(_on_piece(minor, piece, root, search))
-    return replace(piece, equations=(*piece.equations, *extra))
+                extra.append(_on_piece(minor, piece, singular))
+    return extra
 
 
-def _on_piece(
-    minor: Polynomial, piece: Piece, root: Branch, search: Search
-) -> Polynomial:
+def _on_piece(minor: Polynomial, piece: Piece, singular: Singularity) -> Polynomial:
     """The factor that vanishes on the piece; the others say nothing of it."""
-    places = piece.branches[0].points
-    for case in possible_factors(root, minor, search.library):
+    for case in possible_factors(singular.root, minor, singular.library):
         first, *more = case.equations
+        places = [at for branch in piece.branches for at in branch.points]
         if places and not more and not any(residue(first, *at) for at in places):
             return first
     return minor
 
 
-def _minor_at(
-    root: Branch, columns: Sequence[Column], point: Point, prime: int
-) -> Polynomial | None:
+def _minor_at(singular: Singularity, point: Point, prime: int) -> Polynomial | None:
     """A short minor, as large as the rank at a point, that is not zero there."""
+    columns = singular.columns
     source = random.Random(len(columns))
     best: Polynomial | None = None
     for _ in range(_TRIED):
@@ -103,7 +216,7 @@ def _minor_at(
         kept = [heights[h] for h in independent(across, prime)]
         own = [[columns[k][h] for h in kept] for k in chosen]
         try:
-            minors = minors_of(root.ring, own, _PRODUCTS)
+            minors = minors_of(singular.root.ring, own, _PRODUCTS)
         except TooLargeError:
             continue
         minor = minors[(1 << len(kept)) - 1]

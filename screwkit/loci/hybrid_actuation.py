@@ -17,9 +17,9 @@ from screwkit.kinematics.limb_parts import Parts
 from screwkit.kinematics.loop_state import LoopState
 from screwkit.kinematics.told_parts import told_parts
 from screwkit.loci.actuation_locus import ActuationLocus
+from screwkit.loci.exact_equations import Singularity, with_exact_equations
 from screwkit.loci.hybrid_strata import HybridStrata, hybrid_strata
 from screwkit.loci.loop_drop import loop_drop, loop_state, platform_is_freer
-from screwkit.loci.loose_equations import about_loose, loose
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece, lies_in, without_contained
 
@@ -43,21 +43,23 @@ def hybrid_actuation_locus(
         platform_is_freer,
     )
     idle = _idle(root, limbs, strata, drop.pieces)
-    pieces = (*drop.pieces, *idle)
 
     def is_singular(branch: Branch) -> bool:
         state = loop_state(branch, limbs)
         return state is not None and state.platform_freedom > 0
 
-    unclear = about_loose(len(loose(root, drop.pieces, is_singular, library)))
+    exact = with_exact_equations(
+        drop.pieces, Singularity(root, limbs, height, is_singular, library)
+    )
+    pieces = (*exact.pieces, *idle)
     return ActuationLocus(
         True,
         0,
-        drop.complete and not unclear,
+        drop.complete and not exact.uncertain,
         pieces,
         tuple(state_on(piece, limbs) for piece in pieces),
         Meanings(framed, root, library),
-        reason="; ".join(filter(None, [drop.reason, unclear])),
+        reason="; ".join(filter(None, [drop.reason, exact.reason])),
     )
 
 

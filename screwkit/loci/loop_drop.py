@@ -22,7 +22,6 @@ from screwkit.algebra.search import Search, irreducible_parts
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.limb_parts import Parts, columns_of, motion_at
 from screwkit.kinematics.loop_state import LoopState, state_of
-from screwkit.loci.exact_equations import with_exact_equations
 from screwkit.loci.pieces import Piece, lies_in, pieces_of
 from screwkit.loci.strata import LimbStrata, Stratum
 from screwkit.loci.wrench_sums import dependent_zeros, height_of
@@ -162,9 +161,6 @@ def loop_drop(
             break
         _visit(root, chosen, walk)
     pieces = pieces_of([*walk.found, *_other_sheets(walk.found, walk.alike)])
-    if not generic.inner:
-        columns = [[*columns_of(limb)] for limb in limbs]
-        pieces = [with_exact_equations(p, root, columns, search) for p in pieces]
     undecided = [*walk.open, *_other_sheets(walk.open, walk.alike)]
     if not all(limb.complete for limb in strata):
         undecided.append(root)
@@ -237,8 +233,7 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
     before = search.budget
     zeros = dependent_zeros(branch, walk.limbs, search, within=True)
     walk.effort -= 1 + before - search.budget
-    for found in zeros.branches:
-        walk.keep([found])
+    walk.keep(zeros.branches)
     walk.open.extend(zeros.open)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import islice
 
 from screwkit.algebra.branches import Branch
@@ -23,6 +24,11 @@ class Piece:
 
     equations: tuple[Polynomial, ...]
     branches: tuple[Branch, ...]
+
+    @cached_property
+    def texts(self) -> frozenset[str]:
+        """Of the equations."""
+        return frozenset(map(str, self.equations))
 
     @property
     def codimension(self) -> int:
@@ -142,7 +148,7 @@ def _vanishes(polynomial: Polynomial, piece: Piece) -> bool:
 
 def lies_in(branch: Branch, piece: Piece) -> bool:
     """Whether a branch lies on a piece: by its conditions or by its exact points."""
-    if {str(e) for e in piece.equations} <= {str(c) for c in branch.conditions}:
+    if piece.texts <= branch.texts:
         return True
     points = branch.points
     return bool(points) and all(piece.contains(*point) for point in points)

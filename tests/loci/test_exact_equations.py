@@ -15,6 +15,7 @@ from loci.numeric import Array, value
 from scipy.optimize import least_squares
 
 import screwkit as sk
+from screwkit.loci import exact_equations
 
 Posture = Mapping[str, float]
 STARTS = 40
@@ -55,6 +56,20 @@ def has_dependent_lines(at: Posture) -> bool:
     return len(lines) > 1 and lost(np.array(lines), min(len(lines), 3))
 
 
+def locks_the_six_bar(at: Posture) -> bool:
+    """Rates of the planar loops A B C D and A B E F G, both with the coupler's."""
+    a, d, g = (0.0, 0.0), (at["d"], 0.0), (at["xg"], at["yg"])
+    b, c, e, f = ((at[f"x{k}"], at[f"y{k}"]) for k in "bcef")
+    rates = np.zeros((6, 7))
+    for column, (x, y) in enumerate((a, b, c, d, e, f, g)):
+        twist = np.array([1, y, -x])
+        if column in {0, 1, 2, 3}:
+            rates[:3, column] = twist
+        if column in {0, 1, 4, 5, 6}:
+            rates[3:, column] = twist
+    return lost(rates, 6)
+
+
 def lost(rows: Array, rank: int) -> bool:
     singular = np.linalg.svd(rows, compute_uv=False)
     small = singular[rank - 1] / singular[0]
@@ -64,7 +79,11 @@ def lost(rows: Array, rank: int) -> bool:
 
 @pytest.mark.parametrize(
     ("name", "is_singular"),
-    [("4H_equal_pitch", is_in_line), ("3rrr_planar", has_dependent_lines)],
+    [
+        ("4H_equal_pitch", is_in_line),
+        ("3rrr_planar", has_dependent_lines),
+        ("stephenson_six_bar", locks_the_six_bar),
+    ],
 )
 def test_zeros_of_all_equations_are_singular(
     name: str, is_singular: Callable[[Posture], bool]
@@ -86,3 +105,14 @@ def test_zeros_of_all_equations_are_singular(
                 met += 1
                 assert is_singular(dict(zip(names, map(float, found.x), strict=True)))
     assert met > STARTS / 2
+
+
+def test_equations_that_could_not_be_taken_apart_are_told(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Without a case distinction nothing is known of their zeros."""
+    monkeypatch.setattr(exact_equations, "_BUDGET", 0)
+    found = sk.singularities(sk.load("4H_equal_pitch")).constraint
+    assert len(found.components) == 1
+    assert not found.complete
+    assert "one component may hold at regular postures too" in found.reason
