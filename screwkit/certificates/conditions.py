@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import combinations
 
 from screwkit.algebra.branches import Branch, Pending
 from screwkit.algebra.division import Divisor, exact_quotient
@@ -84,6 +85,23 @@ class Conditions:
     def all_vanish(self, equations: Sequence[Polynomial], branch: Branch) -> bool:
         """At random exact points."""
         return all(residue(e, *at) == 0 for at in branch.points for e in equations)
+
+    def lean(self, place: Place) -> Place:
+        """The place without unsolved conditions that others imply, where postures show.
+
+        Conditions that hold already leave no unknown by which they could be met, so
+        that no posture is found.  What is left out stays a condition of the way.
+        """
+        branch = place.branch
+        if branch.points or len(branch.pending) < 2:
+            return place
+        for size in (1, 2):
+            for left_out in combinations(branch.pending, size):
+                kept = tuple(p for p in branch.pending if p not in left_out)
+                fewer = replace(branch, pending=kept)
+                if fewer.points and self.all_vanish([p.value for p in left_out], fewer):
+                    return replace(place, branch=fewer)
+        return place
 
     def surely(self, place: Place, equations: Sequence[Polynomial]) -> bool:
         """Whether equations hold by the steps alone, or are conditions of the way."""

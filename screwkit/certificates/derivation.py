@@ -12,15 +12,21 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations
+from itertools import chain
 from typing import TypeAlias
 
 from screwkit.algebra.branches import Branch, without
 from screwkit.algebra.factors import Factor, factor
-from screwkit.algebra.points import Point
+from screwkit.algebra.points import Point, residue
 from screwkit.algebra.polynomial_text import text
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
+from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.certificates.conditions import Conditions, Option, Place, Problem
+from screwkit.certificates.implications import (
+    Combination,
+    equal_leads,
+    made_a_sum,
+    sums_by_elimination,
+)
 from screwkit.certificates.minor_choice import Minor, minors_on
 from screwkit.certificates.records import Case, Multiple, Node, Sheet, Unsolved
 from screwkit.certificates.roots import NotProvedError, roots_of
@@ -42,9 +48,6 @@ MIXED = 3
 
 DEEPEST = 8
 """Unsolved conditions on the way to a node."""
-
-SHORT = 40
-"""Terms of leading coefficients by which conditions are combined."""
 
 MANY = 3_000
 """Terms of a minor beside which no other one is expanded."""
@@ -71,6 +74,7 @@ class _Search(Conditions):
         self.count += 1
         if self.count > NODES or len(place.conditions) > DEEPEST:
             raise NotProvedError("the proof would be too long")
+        place = self.lean(place)
         ended = self.ended(place, number)
         if ended is not None:
             return ended
@@ -78,6 +82,7 @@ class _Search(Conditions):
             self.split_condition(place, number)
             or self.combined(place, number)
             or self.special(place, number)
+            or self.implied(place, number)
             or self.by_minor(place, number)
         )
         self.finished.append((number, self.equations(place)))
@@ -116,7 +121,7 @@ class _Search(Conditions):
         """The node of a condition that can be factored, or solved, by now."""
         branch = place.branch
         for pending in branch.pending:
-            factors = factor(branch.ring, pending.value, self.problem.library).factors
+            factors = self.factors(branch, pending.value)
             same = len(factors) == 1 and str(factors[0][0].equations[0]) in (
                 str(pending.value),
                 str(primitive(pending.value)),
@@ -132,52 +137,72 @@ class _Search(Conditions):
         return None
 
     def combined(self, place: Place, number: int) -> Node | None:
-        """The node of two conditions that imply a product of solvable factors.
+        """The node of conditions that imply a product of solvable factors."""
+        branch = place.branch
+        values = [pending.value for pending in branch.pending]
+        for found in chain(
+            equal_leads(branch.ring, values),
+            sums_by_elimination(branch.ring, values, 0),
+            sums_by_elimination(branch.ring, values, 1),
+        ):
+            factors = self.factors(branch, found.value)
+            if all(
+                self.steps(branch, own) is not None
+                or self.vanishes_nowhere(branch, own)
+                for own, _ in factors
+            ):
+                return self.by_sum(place, number, found, factors)
+        return None
 
-        Their leading coefficients in a generator are made equal, and one condition is
-        taken from the other.
+    def implied(self, place: Place, number: int) -> Node | None:
+        """The node of conditions that imply an equation of a component.
+
+        A multiple of the equation is a sum of multiples of them.
         """
         branch = place.branch
-        ring = branch.ring
-        for one, two in combinations(branch.pending, 2):
-            shared = [
-                (place_, int(a))
-                for place_, (a, b) in enumerate(
-                    zip(one.value.degrees(), two.value.degrees(), strict=True)
-                )
-                if a and a == b
-            ]
-            for index, degree in shared:
-                first, second = (
-                    _leading(ring, p.value, index, degree) for p in (one, two)
-                )
-                if min(len(first), len(second)) > SHORT:
+        values = [pending.value for pending in branch.pending]
+        if len(values) < 2:
+            return None
+        for equations in self.problem.components:
+            if branch.points and not self.all_vanish(equations, branch):
+                continue
+            for equation in equations:
+                if self.multiples(place, [equation]) is not None:
                     continue
-                common = first.gcd(second)
-                first, second = first / common, second / common
-                value = ring.normal(second * one.value - first * two.value)
-                if value == 0 or len(value) > LONGEST:
-                    continue
-                factors = factor(ring, value, self.problem.library).factors
-                if any(
-                    self.steps(branch, own) is None
-                    and not self.vanishes_nowhere(branch, own)
-                    for own, _ in factors
-                ):
-                    continue
-                sums = tuple(
-                    Multiple(
-                        -1,
-                        place.number(pending),
-                        text(ring, times),
-                        followed(branch, [place.conditions[place.number(pending)]])[1],
-                    )
-                    for pending, times in ((one, second), (two, -first))
-                )
-                options = self.options(place, factors)
-                cases = self.cases(place, factors, options)
-                return Node(number, combination=sums, cases=cases)
+                value = followed(branch, [equation])[0][0]
+                for own, _ in self.factors(branch, value):
+                    if len(own.equations) > 1 or any(
+                        residue(own.equations[0], *at) for at in branch.points
+                    ):
+                        continue
+                    found = made_a_sum(branch.ring, own.equations[0], values)
+                    if found is not None:
+                        factors = self.factors(branch, found.value)
+                        return self.by_sum(place, number, found, factors)
         return None
+
+    def by_sum(
+        self,
+        place: Place,
+        number: int,
+        found: Combination,
+        factors: Sequence[tuple[Factor, int]],
+    ) -> Node:
+        """The node of a sum of multiples of conditions."""
+        branch = place.branch
+        sums = tuple(
+            Multiple(
+                -1,
+                place.number(pending),
+                text(branch.ring, times),
+                followed(branch, [place.conditions[place.number(pending)]])[1],
+            )
+            for pending, times in zip(branch.pending, found.times, strict=True)
+            if times != 0
+        )
+        options = self.options(place, factors)
+        cases = self.cases(place, factors, options)
+        return Node(number, combination=sums, cases=cases)
 
     def special(self, place: Place, number: int) -> Node | None:
         """The node of dimensions that are tied to each other."""
@@ -207,7 +232,7 @@ class _Search(Conditions):
         candidates: list[_Candidate] = []
         for minor in minors_on(branch, matrix, *at, self.source):
             if len(minor.value) <= LONGEST:
-                factors = self.factors(branch, minor)
+                factors = self.factors(branch, minor.value)
                 if any(own.key in vanishing for own, _ in factors):
                     continue  # it says nothing here
                 open_ones = [f for f, _ in factors if not self.positive(branch, f)]
@@ -258,9 +283,9 @@ class _Search(Conditions):
             return matrix.freedom_at(*at) > 0
         return matrix.rank_at(*at) < self.rank
 
-    def factors(self, branch: Branch, minor: Minor) -> list[tuple[Factor, int]]:
-        """The factors of a minor on a branch, with their powers."""
-        return [*factor(branch.ring, minor.value, self.problem.library).factors]
+    def factors(self, branch: Branch, value: Polynomial) -> list[tuple[Factor, int]]:
+        """The factors of a polynomial on a branch, with their powers."""
+        return [*factor(branch.ring, value, self.problem.library).factors]
 
     # -- cases -----------------------------------------------------------------------
 
@@ -358,18 +383,6 @@ class _Search(Conditions):
         if not self.problem.signs.never_zero(read(written)):
             raise NotProvedError("a condition that vanishes nowhere was not proved so")
         return Node(number, impossible=index, impossible_value=written, over=over)
-
-
-def _leading(
-    ring: TrigonometricRing, value: Polynomial, index: int, degree: int
-) -> Polynomial:
-    """The coefficient of the highest power of a generator."""
-    terms = {
-        tuple(0 if i == index else e for i, e in enumerate(exponents)): coefficient
-        for exponents, coefficient in value.to_dict().items()
-        if exponents[index] == degree
-    }
-    return ring.context.from_dict(terms)
 
 
 def proof_of(problem: Problem) -> Node:
