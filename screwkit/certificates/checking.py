@@ -294,35 +294,31 @@ class _PartCheck:
 
         The rank there is the generic one of the node, hence the mobility; the limbs'
         own motions are no fewer than in general, so that no motion is left for the
-        platform if in general there is none.
+        platform if in general there is none.  Conditions that were given no root are
+        left out: what holds without them holds with them.
         """
         if node.rank == self._part.rank:
             return
         for point in islice(self._postures.on(way, node.roots), 2 * POINTS):
-            self._meets(point, way)
             rank = self._matrix.rank(point)
             if rank > node.rank:
                 raise RefusedError(f"the rank on it is {rank}")
             if rank == node.rank and self._matrix.freedom(point):
                 raise RefusedError("the platform moves on it")
 
-    def _meets(self, point: PointRing, way: Way) -> None:
-        """Postures found by roots must satisfy all conditions of a way."""
-        for text in way.conditions:
-            if point.value(read(text)) != 0:
-                raise RefusedError(f"no root was given for {text} = 0")
-
     def _special(self, node: Node, way: Way) -> None:
         """Moving on the node changes the dimensions in fewer ways than there are.
 
-        So they satisfy an equation there, and dimensions in general do not.
+        So they satisfy an equation there, and dimensions in general do not.  Conditions
+        that were given no root are left out, as in `_still`.
         """
         names = sorted(self._dimensions & {*self._postures.symbols})
-        texts = [*names, *way.conditions]
         if not names:
             raise RefusedError("there are no dimensions that could be special")
         for point in islice(self._postures.drawn_before(way, node.roots), POINTS):
-            self._meets(self._postures.moved(point, way), way)
+            there = self._postures.moved(point, way)
+            met = [c for c in way.conditions if there.value(read(c)) == 0]
+            texts = [*names, *met]
             try:
                 rows = self._postures.changes(point, way, texts)
             except ResampleError:

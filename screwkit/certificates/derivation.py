@@ -10,7 +10,7 @@ References: [CoxLittleOShea] §9.1; docs/decisions/0019-certificates.md.
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import chain
 from typing import TypeAlias
@@ -46,7 +46,7 @@ LONGEST = 60_000
 MIXED = 3
 """Unsolved conditions from which on no further one is added to tell postures apart."""
 
-DEEPEST = 8
+DEEPEST = 16
 """Unsolved conditions on the way to a node."""
 
 MANY = 3_000
@@ -151,7 +151,8 @@ class _Search(Conditions):
                 or self.vanishes_nowhere(branch, own)
                 for own, _ in factors
             ):
-                return self.by_sum(place, number, found, factors)
+                numbers = [place.number(pending) for pending in branch.pending]
+                return self.by_sum(place, number, numbers, found, factors)
         return None
 
     def implied(self, place: Place, number: int) -> Node | None:
@@ -160,7 +161,12 @@ class _Search(Conditions):
         A multiple of the equation is a sum of multiples of them.
         """
         branch = place.branch
-        values = [pending.value for pending in branch.pending]
+        on_branch = {
+            number: followed(branch, [condition])[0][0]
+            for number, condition in enumerate(place.conditions)
+        }
+        numbers = [number for number, value in on_branch.items() if value != 0]
+        values = [on_branch[number] for number in numbers]
         if len(values) < 2:
             return None
         for equations in self.problem.components:
@@ -175,29 +181,40 @@ class _Search(Conditions):
                         residue(own.equations[0], *at) for at in branch.points
                     ):
                         continue
-                    found = made_a_sum(branch.ring, own.equations[0], values)
+                    found = made_a_sum(
+                        branch.ring, own.equations[0], values, self.is_free(place)
+                    )
                     if found is not None:
                         factors = self.factors(branch, found.value)
-                        return self.by_sum(place, number, found, factors)
+                        return self.by_sum(place, number, numbers, found, factors)
         return None
+
+    def is_free(self, place: Place) -> Callable[[Polynomial], bool]:
+        """Tells polynomials that do not vanish on all of a node, as far as is seen."""
+        branch = place.branch
+        if branch.points:
+            return lambda value: not self.all_vanish([value], branch)
+        known = {str(primitive(c)) for c in place.conditions}
+        return lambda value: str(primitive(value)) not in known
 
     def by_sum(
         self,
         place: Place,
         number: int,
+        conditions: Sequence[int],
         found: Combination,
         factors: Sequence[tuple[Factor, int]],
     ) -> Node:
-        """The node of a sum of multiples of conditions."""
+        """The node of a sum of multiples of conditions, given by their numbers."""
         branch = place.branch
         sums = tuple(
             Multiple(
                 -1,
-                place.number(pending),
+                condition,
                 text(branch.ring, times),
-                followed(branch, [place.conditions[place.number(pending)]])[1],
+                followed(branch, [place.conditions[condition]])[1],
             )
-            for pending, times in zip(branch.pending, found.times, strict=True)
+            for condition, times in zip(conditions, found.times, strict=True)
             if times != 0
         )
         options = self.options(place, factors)

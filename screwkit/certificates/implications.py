@@ -9,7 +9,7 @@ References: [CoxLittleOShea] §2.3, §6.5 (pseudo-division).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from heapq import heappop, heappush
 from itertools import combinations, combinations_with_replacement, count
@@ -30,7 +30,7 @@ LONGEST = 4_000
 WIDEST = 500
 """Columns of a matrix of Macaulay."""
 
-STEPS = 200
+STEPS = 600
 """Pseudo-divisions of one equation."""
 
 _Terms = tuple[int, ...]
@@ -132,12 +132,20 @@ def _monomials(
 
 
 def made_a_sum(
-    ring: TrigonometricRing, equation: Polynomial, conditions: Sequence[Polynomial]
+    ring: TrigonometricRing,
+    equation: Polynomial,
+    conditions: Sequence[Polynomial],
+    usable: Callable[[Polynomial], bool],
 ) -> Combination | None:
     """A multiple of an equation that is a sum of multiples of conditions.
 
-    What the equation is multiplied with are leading coefficients of conditions; where
-    none of these vanishes the equation follows from the conditions.
+    Where what it is multiplied with does not vanish, it follows from the conditions.
+
+    Args:
+        ring: Of all polynomials.
+        equation: The equation.
+        conditions: The conditions.
+        usable: Whether to multiply with a leading coefficient of a condition.
     """
     none = (ring.zero,) * len(conditions)
     order = count()
@@ -153,6 +161,8 @@ def made_a_sum(
                 return Combination(ring.normal(scale * equation), done)
         for number, condition in enumerate(conditions):
             for lead, quotient in _divisions(ring, rest, condition):
+                if not usable(lead):
+                    continue
                 steps += 1
                 left = ring.normal(lead * rest - quotient * condition)
                 if len(left) > LONGEST or str(left) in seen:
