@@ -294,12 +294,11 @@ class _PartCheck:
 
         The rank there is the generic one of the node, hence the mobility; the limbs'
         own motions are no fewer than in general, so that no motion is left for the
-        platform if in general there is none.  Conditions that were given no root are
-        left out: what holds without them holds with them.
+        platform if in general there is none.
         """
         if node.rank == self._part.rank:
             return
-        for point in islice(self._postures.on(way, node.roots), 2 * POINTS):
+        for _, point in islice(self._postures.meeting(way, node.roots), 2 * POINTS):
             rank = self._matrix.rank(point)
             if rank > node.rank:
                 raise RefusedError(f"the rank on it is {rank}")
@@ -309,16 +308,13 @@ class _PartCheck:
     def _special(self, node: Node, way: Way) -> None:
         """Moving on the node changes the dimensions in fewer ways than there are.
 
-        So they satisfy an equation there, and dimensions in general do not.  Conditions
-        that were given no root are left out, as in `_still`.
+        So they satisfy an equation there, and dimensions in general do not.
         """
         names = sorted(self._dimensions & {*self._postures.symbols})
         if not names:
             raise RefusedError("there are no dimensions that could be special")
-        for point in islice(self._postures.drawn_before(way, node.roots), POINTS):
-            there = self._postures.moved(point, way)
-            met = [c for c in way.conditions if there.value(read(c)) == 0]
-            texts = [*names, *met]
+        texts = [*names, *way.conditions]
+        for point, _ in islice(self._postures.meeting(way, node.roots), POINTS):
             try:
                 rows = self._postures.changes(point, way, texts)
             except ResampleError:

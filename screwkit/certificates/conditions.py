@@ -5,6 +5,7 @@ Everything is answered in a form that a certificate can state.
 
 from __future__ import annotations
 
+import random
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
@@ -20,8 +21,8 @@ from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.substitution import Substitution, substituted
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.certificates.minor_choice import Matrix
-from screwkit.certificates.records import Multiple
-from screwkit.certificates.roots import NotProvedError
+from screwkit.certificates.records import Multiple, Unsolved
+from screwkit.certificates.roots import NotProvedError, roots_of
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.steps import (
     followed,
@@ -86,22 +87,31 @@ class Conditions:
         """At random exact points."""
         return all(residue(e, *at) == 0 for at in branch.points for e in equations)
 
-    def lean(self, place: Place) -> Place:
-        """The place without unsolved conditions that others imply, where postures show.
+    def roots(self, branch: Branch) -> tuple[Unsolved, ...]:
+        """How the unsolved conditions of a branch are met, up to two that follow then.
 
-        Conditions that hold already leave no unknown by which they could be met, so
-        that no posture is found.  What is left out stays a condition of the way.
+        Raises:
+            NotProvedError: If no way was found.
         """
-        branch = place.branch
-        if branch.points or len(branch.pending) < 2:
-            return place
-        for size in (1, 2):
+        for size in range(3):
             for left_out in combinations(branch.pending, size):
                 kept = tuple(p for p in branch.pending if p not in left_out)
+                try:
+                    found = roots_of(branch.ring, [p.value for p in kept])
+                except NotProvedError:
+                    continue
                 fewer = replace(branch, pending=kept)
-                if fewer.points and self.all_vanish([p.value for p in left_out], fewer):
-                    return replace(place, branch=fewer)
-        return place
+                if not left_out or self.meet(fewer, [p.value for p in left_out]):
+                    return found
+        raise NotProvedError("no order was found in which conditions can be met")
+
+    def meet(self, branch: Branch, values: Sequence[Polynomial]) -> bool:
+        """Whether there are exact points of a branch at which values vanish."""
+        source = random.Random(len(values))
+        points = [branch.point(source) for _ in range(4)]
+        return any(
+            at is not None and not any(residue(v, *at) for v in values) for at in points
+        )
 
     def surely(self, place: Place, equations: Sequence[Polynomial]) -> bool:
         """Whether equations hold by the steps alone, or are conditions of the way."""

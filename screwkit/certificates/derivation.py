@@ -29,7 +29,7 @@ from screwkit.certificates.implications import (
 )
 from screwkit.certificates.minor_choice import Minor, minors_on
 from screwkit.certificates.records import Case, Multiple, Node, Sheet, Unsolved
-from screwkit.certificates.roots import NotProvedError, roots_of
+from screwkit.certificates.roots import NotProvedError
 from screwkit.certificates.steps import (
     followed,
     numbers_of,
@@ -74,7 +74,6 @@ class _Search(Conditions):
         self.count += 1
         if self.count > NODES or len(place.conditions) > DEEPEST:
             raise NotProvedError("the proof would be too long")
-        place = self.lean(place)
         ended = self.ended(place, number)
         if ended is not None:
             return ended
@@ -226,7 +225,7 @@ class _Search(Conditions):
         branch = place.branch
         if not branch.points or not branch.is_special:
             return None
-        roots = roots_of(branch.ring, [p.value for p in branch.pending])
+        roots = self.roots(branch)
         return Node(number, special=True, roots=roots)
 
     def by_minor(self, place: Place, number: int) -> Node:
@@ -244,7 +243,7 @@ class _Search(Conditions):
         rank = matrix.rank_at(*at)
         roots: tuple[Unsolved, ...] = ()
         if self.problem.moving and rank < self.rank:
-            roots = roots_of(branch.ring, [p.value for p in branch.pending])
+            roots = self.roots(branch)
         vanishing = {str(primitive(p.value)) for p in branch.pending}
         candidates: list[_Candidate] = []
         for minor in minors_on(branch, matrix, *at, self.source):

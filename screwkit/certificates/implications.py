@@ -147,32 +147,25 @@ def made_a_sum(
         conditions: The conditions.
         usable: Whether to multiply with a leading coefficient of a condition.
     """
-    none = (ring.zero,) * len(conditions)
-    order = count()
-    waiting = [(len(equation), next(order), equation, ring.one, none)]
-    seen = {str(equation)}
-    steps = 0
-    while waiting and steps < STEPS:
+    waiting = [(0, 0, equation, ring.one, (ring.zero,) * len(conditions))]
+    seen: set[str] = set()
+    order = count(1)
+    while waiting and next(order) < STEPS:
         _, _, rest, scale, times = heappop(waiting)
         for number, condition in enumerate(conditions):
-            quotient = exact_quotient(rest, condition)
-            if quotient is not None:
-                done = _plus(ring, times, number, quotient)
-                return Combination(ring.normal(scale * equation), done)
-        for number, condition in enumerate(conditions):
             for lead, quotient in _divisions(ring, rest, condition):
-                if not usable(lead):
-                    continue
-                steps += 1
                 left = ring.normal(lead * rest - quotient * condition)
-                if len(left) > LONGEST or str(left) in seen:
+                if len(left) > LONGEST or str(left) in seen or not usable(lead):
                     continue
                 seen.add(str(left))
                 scaled = tuple(ring.normal(lead * t) for t in times)
                 sums = _plus(ring, scaled, number, quotient)
                 whole = ring.normal(scale * lead)
-                if left == 0:
-                    return Combination(ring.normal(whole * equation), sums)
+                for last, other in enumerate(conditions):
+                    exact = exact_quotient(left, other)
+                    if exact is not None:
+                        done = _plus(ring, sums, last, exact)
+                        return Combination(ring.normal(whole * equation), done)
                 cost = len(left) + len(whole)
                 heappush(waiting, (cost, next(order), left, whole, sums))
     return None

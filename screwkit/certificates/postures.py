@@ -101,6 +101,26 @@ class Postures:
         """
         return (before for before, _ in self._drawings(way, roots))
 
+    def meeting(
+        self, way: Way, roots: Sequence[Unsolved]
+    ) -> Iterator[tuple[PointRing, PointRing]]:
+        """Points before and after the steps at which all conditions of a way hold.
+
+        A condition without a root of its own may hold at some roots of the others.
+
+        Raises:
+            RefusedError: If some condition holds at none of many.
+        """
+        conditions = [read(text) for text in way.conditions]
+        missed = 0
+        for before, there in self._drawings(way, roots):
+            if all(there.value(condition) == 0 for condition in conditions):
+                yield before, there
+                continue
+            missed += 1
+            if missed > _ATTEMPTS:
+                raise RefusedError("a condition holds at no root of the others")
+
     def _drawings(
         self, way: Way, roots: Sequence[Unsolved]
     ) -> Iterator[tuple[PointRing, PointRing]]:
