@@ -204,6 +204,10 @@ class Branch:
         solved = moved_onto(
             self.ring, values, point, source, prime, pairs=self.thorough
         )
+        if solved is None and self.thorough and len(values) > 2:
+            # What follows from other conditions leaves no unknown to meet it by.
+            fewer = source.sample(values, len(values) - source.choice((1, 1, 2)))
+            solved = moved_onto(self.ring, fewer, point, source, prime, pairs=True)
         if solved is None:
             return None
         whole = with_extensions(self.ring, solved, prime)

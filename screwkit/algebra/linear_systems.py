@@ -42,9 +42,15 @@ def linear_systems(
 ) -> list[LinearSystem]:
     """The smallest systems of at least two conditions, shortest determinants first."""
     degrees = [p.degrees() for p in conditions]
+    # A symbol in another power, or in more conditions, is in no system.
+    linear = [
+        i
+        for i in ring.symbol_indices()
+        if max(d[i] for d in degrees) == 1 and sum(d[i] for d in degrees) <= LARGEST
+    ]
     found: list[LinearSystem] = []
     for size in range(2, min(len(conditions), LARGEST) + 1):
-        for chosen in combinations(ring.symbol_indices(), size):
+        for chosen in combinations(linear, size):
             own = [k for k, d in enumerate(degrees) if any(d[i] for i in chosen)]
             if len(own) == size and all(
                 sum(int(exponents[i]) for i in chosen) <= 1

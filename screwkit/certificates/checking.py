@@ -298,19 +298,12 @@ class _PartCheck:
         """
         if node.rank == self._part.rank:
             return
-        for point in islice(self._postures.on(way, node.roots), 2 * POINTS):
-            self._meets(point, way)
+        for _, point in islice(self._postures.meeting(way, node.roots), 2 * POINTS):
             rank = self._matrix.rank(point)
             if rank > node.rank:
                 raise RefusedError(f"the rank on it is {rank}")
             if rank == node.rank and self._matrix.freedom(point):
                 raise RefusedError("the platform moves on it")
-
-    def _meets(self, point: PointRing, way: Way) -> None:
-        """Postures found by roots must satisfy all conditions of a way."""
-        for text in way.conditions:
-            if point.value(read(text)) != 0:
-                raise RefusedError(f"no root was given for {text} = 0")
 
     def _special(self, node: Node, way: Way) -> None:
         """Moving on the node changes the dimensions in fewer ways than there are.
@@ -318,11 +311,10 @@ class _PartCheck:
         So they satisfy an equation there, and dimensions in general do not.
         """
         names = sorted(self._dimensions & {*self._postures.symbols})
-        texts = [*names, *way.conditions]
         if not names:
             raise RefusedError("there are no dimensions that could be special")
-        for point in islice(self._postures.drawn_before(way, node.roots), POINTS):
-            self._meets(self._postures.moved(point, way), way)
+        texts = [*names, *way.conditions]
+        for point, _ in islice(self._postures.meeting(way, node.roots), POINTS):
             try:
                 rows = self._postures.changes(point, way, texts)
             except ResampleError:

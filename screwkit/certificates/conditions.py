@@ -5,8 +5,10 @@ Everything is answered in a form that a certificate can state.
 
 from __future__ import annotations
 
+import random
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import combinations
 
 from screwkit.algebra.branches import Branch, Pending
 from screwkit.algebra.division import Divisor, exact_quotient
@@ -19,8 +21,8 @@ from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.substitution import Substitution, substituted
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.certificates.minor_choice import Matrix
-from screwkit.certificates.records import Multiple
-from screwkit.certificates.roots import NotProvedError
+from screwkit.certificates.records import Multiple, Unsolved
+from screwkit.certificates.roots import NotProvedError, roots_of
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.steps import (
     followed,
@@ -84,6 +86,32 @@ class Conditions:
     def all_vanish(self, equations: Sequence[Polynomial], branch: Branch) -> bool:
         """At random exact points."""
         return all(residue(e, *at) == 0 for at in branch.points for e in equations)
+
+    def roots(self, branch: Branch) -> tuple[Unsolved, ...]:
+        """How the unsolved conditions of a branch are met, up to two that follow then.
+
+        Raises:
+            NotProvedError: If no way was found.
+        """
+        for size in range(3):
+            for left_out in combinations(branch.pending, size):
+                kept = tuple(p for p in branch.pending if p not in left_out)
+                try:
+                    found = roots_of(branch.ring, [p.value for p in kept])
+                except NotProvedError:
+                    continue
+                fewer = replace(branch, pending=kept)
+                if not left_out or self.meet(fewer, [p.value for p in left_out]):
+                    return found
+        raise NotProvedError("no order was found in which conditions can be met")
+
+    def meet(self, branch: Branch, values: Sequence[Polynomial]) -> bool:
+        """Whether there are exact points of a branch at which values vanish."""
+        source = random.Random(len(values))
+        points = [branch.point(source) for _ in range(4)]
+        return any(
+            at is not None and not any(residue(v, *at) for v in values) for at in points
+        )
 
     def surely(self, place: Place, equations: Sequence[Polynomial]) -> bool:
         """Whether equations hold by the steps alone, or are conditions of the way."""

@@ -10,20 +10,26 @@ References: [CoxLittleOShea] §9.1; docs/decisions/0019-certificates.md.
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations
+from itertools import chain
 from typing import TypeAlias
 
 from screwkit.algebra.branches import Branch, without
 from screwkit.algebra.factors import Factor, factor
-from screwkit.algebra.points import Point
+from screwkit.algebra.points import Point, residue
 from screwkit.algebra.polynomial_text import text
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
+from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.certificates.conditions import Conditions, Option, Place, Problem
+from screwkit.certificates.implications import (
+    Combination,
+    equal_leads,
+    made_a_sum,
+    sums_by_elimination,
+)
 from screwkit.certificates.minor_choice import Minor, minors_on
 from screwkit.certificates.records import Case, Multiple, Node, Sheet, Unsolved
-from screwkit.certificates.roots import NotProvedError, roots_of
+from screwkit.certificates.roots import NotProvedError
 from screwkit.certificates.steps import (
     followed,
     numbers_of,
@@ -40,11 +46,8 @@ LONGEST = 60_000
 MIXED = 3
 """Unsolved conditions from which on no further one is added to tell postures apart."""
 
-DEEPEST = 8
+DEEPEST = 16
 """Unsolved conditions on the way to a node."""
-
-SHORT = 40
-"""Terms of leading coefficients by which conditions are combined."""
 
 MANY = 3_000
 """Terms of a minor beside which no other one is expanded."""
@@ -78,6 +81,7 @@ class _Search(Conditions):
             self.split_condition(place, number)
             or self.combined(place, number)
             or self.special(place, number)
+            or self.implied(place, number)
             or self.by_minor(place, number)
         )
         self.finished.append((number, self.equations(place)))
@@ -116,7 +120,7 @@ class _Search(Conditions):
         """The node of a condition that can be factored, or solved, by now."""
         branch = place.branch
         for pending in branch.pending:
-            factors = factor(branch.ring, pending.value, self.problem.library).factors
+            factors = self.factors(branch, pending.value)
             same = len(factors) == 1 and str(factors[0][0].equations[0]) in (
                 str(pending.value),
                 str(primitive(pending.value)),
@@ -132,59 +136,96 @@ class _Search(Conditions):
         return None
 
     def combined(self, place: Place, number: int) -> Node | None:
-        """The node of two conditions that imply a product of solvable factors.
+        """The node of conditions that imply a product of solvable factors."""
+        branch = place.branch
+        values = [pending.value for pending in branch.pending]
+        for found in chain(
+            equal_leads(branch.ring, values),
+            sums_by_elimination(branch.ring, values, 0),
+            sums_by_elimination(branch.ring, values, 1),
+        ):
+            factors = self.factors(branch, found.value)
+            if all(
+                self.steps(branch, own) is not None
+                or self.vanishes_nowhere(branch, own)
+                for own, _ in factors
+            ):
+                numbers = [place.number(pending) for pending in branch.pending]
+                return self.by_sum(place, number, numbers, found, factors)
+        return None
 
-        Their leading coefficients in a generator are made equal, and one condition is
-        taken from the other.
+    def implied(self, place: Place, number: int) -> Node | None:
+        """The node of conditions that imply an equation of a component.
+
+        A multiple of the equation is a sum of multiples of them.
         """
         branch = place.branch
-        ring = branch.ring
-        for one, two in combinations(branch.pending, 2):
-            shared = [
-                (place_, int(a))
-                for place_, (a, b) in enumerate(
-                    zip(one.value.degrees(), two.value.degrees(), strict=True)
-                )
-                if a and a == b
-            ]
-            for index, degree in shared:
-                first, second = (
-                    _leading(ring, p.value, index, degree) for p in (one, two)
-                )
-                if min(len(first), len(second)) > SHORT:
+        on_branch = {
+            number: followed(branch, [condition])[0][0]
+            for number, condition in enumerate(place.conditions)
+        }
+        numbers = [number for number, value in on_branch.items() if value != 0]
+        values = [on_branch[number] for number in numbers]
+        if len(values) < 2:
+            return None
+        for equations in self.problem.components:
+            if branch.points and not self.all_vanish(equations, branch):
+                continue
+            for equation in equations:
+                if self.multiples(place, [equation]) is not None:
                     continue
-                common = first.gcd(second)
-                first, second = first / common, second / common
-                value = ring.normal(second * one.value - first * two.value)
-                if value == 0 or len(value) > LONGEST:
-                    continue
-                factors = factor(ring, value, self.problem.library).factors
-                if any(
-                    self.steps(branch, own) is None
-                    and not self.vanishes_nowhere(branch, own)
-                    for own, _ in factors
-                ):
-                    continue
-                sums = tuple(
-                    Multiple(
-                        -1,
-                        place.number(pending),
-                        text(ring, times),
-                        followed(branch, [place.conditions[place.number(pending)]])[1],
+                value = followed(branch, [equation])[0][0]
+                for own, _ in self.factors(branch, value):
+                    if len(own.equations) > 1 or any(
+                        residue(own.equations[0], *at) for at in branch.points
+                    ):
+                        continue
+                    found = made_a_sum(
+                        branch.ring, own.equations[0], values, self.is_free(place)
                     )
-                    for pending, times in ((one, second), (two, -first))
-                )
-                options = self.options(place, factors)
-                cases = self.cases(place, factors, options)
-                return Node(number, combination=sums, cases=cases)
+                    if found is not None:
+                        factors = self.factors(branch, found.value)
+                        return self.by_sum(place, number, numbers, found, factors)
         return None
+
+    def is_free(self, place: Place) -> Callable[[Polynomial], bool]:
+        """Tells polynomials that do not vanish on all of a node, as far as is seen."""
+        branch = place.branch
+        if branch.points:
+            return lambda value: not self.all_vanish([value], branch)
+        known = {str(primitive(c)) for c in place.conditions}
+        return lambda value: str(primitive(value)) not in known
+
+    def by_sum(
+        self,
+        place: Place,
+        number: int,
+        conditions: Sequence[int],
+        found: Combination,
+        factors: Sequence[tuple[Factor, int]],
+    ) -> Node:
+        """The node of a sum of multiples of conditions, given by their numbers."""
+        branch = place.branch
+        sums = tuple(
+            Multiple(
+                -1,
+                condition,
+                text(branch.ring, times),
+                followed(branch, [place.conditions[condition]])[1],
+            )
+            for condition, times in zip(conditions, found.times, strict=True)
+            if times != 0
+        )
+        options = self.options(place, factors)
+        cases = self.cases(place, factors, options)
+        return Node(number, combination=sums, cases=cases)
 
     def special(self, place: Place, number: int) -> Node | None:
         """The node of dimensions that are tied to each other."""
         branch = place.branch
         if not branch.points or not branch.is_special:
             return None
-        roots = roots_of(branch.ring, [p.value for p in branch.pending])
+        roots = self.roots(branch)
         return Node(number, special=True, roots=roots)
 
     def by_minor(self, place: Place, number: int) -> Node:
@@ -202,12 +243,12 @@ class _Search(Conditions):
         rank = matrix.rank_at(*at)
         roots: tuple[Unsolved, ...] = ()
         if self.problem.moving and rank < self.rank:
-            roots = roots_of(branch.ring, [p.value for p in branch.pending])
+            roots = self.roots(branch)
         vanishing = {str(primitive(p.value)) for p in branch.pending}
         candidates: list[_Candidate] = []
         for minor in minors_on(branch, matrix, *at, self.source):
             if len(minor.value) <= LONGEST:
-                factors = self.factors(branch, minor)
+                factors = self.factors(branch, minor.value)
                 if any(own.key in vanishing for own, _ in factors):
                     continue  # it says nothing here
                 open_ones = [f for f, _ in factors if not self.positive(branch, f)]
@@ -258,9 +299,9 @@ class _Search(Conditions):
             return matrix.freedom_at(*at) > 0
         return matrix.rank_at(*at) < self.rank
 
-    def factors(self, branch: Branch, minor: Minor) -> list[tuple[Factor, int]]:
-        """The factors of a minor on a branch, with their powers."""
-        return [*factor(branch.ring, minor.value, self.problem.library).factors]
+    def factors(self, branch: Branch, value: Polynomial) -> list[tuple[Factor, int]]:
+        """The factors of a polynomial on a branch, with their powers."""
+        return [*factor(branch.ring, value, self.problem.library).factors]
 
     # -- cases -----------------------------------------------------------------------
 
@@ -358,18 +399,6 @@ class _Search(Conditions):
         if not self.problem.signs.never_zero(read(written)):
             raise NotProvedError("a condition that vanishes nowhere was not proved so")
         return Node(number, impossible=index, impossible_value=written, over=over)
-
-
-def _leading(
-    ring: TrigonometricRing, value: Polynomial, index: int, degree: int
-) -> Polynomial:
-    """The coefficient of the highest power of a generator."""
-    terms = {
-        tuple(0 if i == index else e for i, e in enumerate(exponents)): coefficient
-        for exponents, coefficient in value.to_dict().items()
-        if exponents[index] == degree
-    }
-    return ring.context.from_dict(terms)
 
 
 def proof_of(problem: Problem) -> Node:

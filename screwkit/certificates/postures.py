@@ -16,22 +16,21 @@ from typing import Any
 from weakref import WeakKeyDictionary
 
 from screwkit.algebra.angle_basis import inverse_forms
-from screwkit.algebra.common_root import common_root, interpolated
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.dual_point import Dual, DualRing
 from screwkit.algebra.exact_point import (
     PointRing,
     Turn,
-    determinant_modulo,
     random_residue,
     random_turn,
     roots_of,
     turn_of,
 )
-from screwkit.algebra.expression import Expression, Number
+from screwkit.algebra.expression import Number
 from screwkit.algebra.modular import ResampleError, prime_for
 from screwkit.algebra.survey import SurveyRing
 from screwkit.certificates.records import Angles, Part, Step, Unsolved
+from screwkit.certificates.root_postures import Roots
 from screwkit.certificates.texts import RefusedError, fraction, radicands_of, read
 from screwkit.kinematics.placement import joint_twists
 from screwkit.mechanism.graph import limbs
@@ -39,7 +38,6 @@ from screwkit.mechanism.joints import freedom_labels
 from screwkit.mechanism.model import Mechanism
 
 _ATTEMPTS = 60
-_DEGREE = 60
 _REMEMBERED = 16
 
 
@@ -79,6 +77,7 @@ class Postures:
         self._declared = _declared(part.angles, wanted)
         self.symbols = tuple(seen.symbols)
         self._may_fail = bool(seen.roots or seen.divisors or part.scales)
+        self._roots = Roots(self.prime, source)
         self._first: PointRing | None = None
         self._first = self._drawn()
         self._known: dict[tuple[Step, ...], list[tuple[PointRing, PointRing]]] = {}
@@ -101,6 +100,26 @@ class Postures:
             RefusedError: If none is found in many attempts.
         """
         return (before for before, _ in self._drawings(way, roots))
+
+    def meeting(
+        self, way: Way, roots: Sequence[Unsolved]
+    ) -> Iterator[tuple[PointRing, PointRing]]:
+        """Points before and after the steps at which all conditions of a way hold.
+
+        A condition without a root of its own may hold at some roots of the others.
+
+        Raises:
+            RefusedError: If some condition holds at none of many.
+        """
+        conditions = [read(text) for text in way.conditions]
+        missed = 0
+        for before, there in self._drawings(way, roots):
+            if all(there.value(condition) == 0 for condition in conditions):
+                yield before, there
+                continue
+            missed += 1
+            if missed > _ATTEMPTS:
+                raise RefusedError("a condition holds at no root of the others")
 
     def _drawings(
         self, way: Way, roots: Sequence[Unsolved]
@@ -128,7 +147,7 @@ class Postures:
     ) -> tuple[PointRing, PointRing]:
         for _ in range(_ATTEMPTS):
             try:
-                before = self._met(self._drawn(), roots)
+                before = self._roots.met(self._drawn(), roots)
                 there = self.moved(before, way)
                 if self._may_fail:  # where the geometry's roots exist all others do
                     self.twists(there)
@@ -140,25 +159,6 @@ class Postures:
     def turn(self) -> Turn:
         """A random point of the circle."""
         return random_turn(self._source, self.prime)
-
-    def solved(
-        self, rows: Sequence[Sequence[Any]], values: Sequence[Any]
-    ) -> tuple[Any, ...]:
-        """The solution of a regular system of linear equations (Cramer's rule)."""
-        whole = determinant_modulo(rows, self.prime)
-        if whole == 0:
-            raise ResampleError
-        return tuple(
-            determinant_modulo(
-                [
-                    [*row[:k], value, *row[k + 1 :]]
-                    for row, value in zip(rows, values, strict=True)
-                ],
-                self.prime,
-            )
-            / whole
-            for k in range(len(values))
-        )
 
     def _drawn(self) -> PointRing:
         p, source = self.prime, self._source
@@ -204,73 +204,6 @@ class Postures:
         if chosen is None:
             raise ResampleError
         return chosen
-
-    def _met(self, point: PointRing, roots: Sequence[Unsolved]) -> PointRing:
-        for unsolved in roots:
-            beside = 0 if unsolved.beside is None else unsolved.beside.degree
-            if max(unsolved.degree, beside, *unsolved.across, 0) > _DEGREE:
-                raise RefusedError(f"{unsolved.equation} = 0 has too high a degree")
-            if unsolved.beside is None:
-                point = self._on_root(point, unsolved)
-            else:
-                point = self._on_both(point, unsolved, unsolved.beside)
-        return point
-
-    def _on_root(self, point: PointRing, unsolved: Unsolved) -> PointRing:
-        """The point moved along one angle or symbol to where an equation holds."""
-        own = self._restricted(
-            point, unsolved, read(unsolved.equation), unsolved.degree
-        )
-        if not any(own):
-            return point
-        found = roots_of(own, self.prime)
-        if not found:
-            raise ResampleError
-        return _placed(point, unsolved, self._source.choice(found))
-
-    def _on_both(self, point: PointRing, one: Unsolved, two: Unsolved) -> PointRing:
-        """The point moved along two angles or symbols to where two equations hold."""
-        if len(one.across) != 2:
-            raise RefusedError("two conditions without their degrees")
-        first, second = read(one.equation), read(two.equation)
-        crossed, back = one.across
-
-        def restricted(value: int) -> tuple[list[int], list[int]] | None:
-            try:
-                moved = _placed(point, one, value)
-                below = 1 + value * value if one.angle >= 0 else 1
-                return (
-                    _times(
-                        self._restricted(moved, two, first, crossed), below, one.degree
-                    ),
-                    _times(
-                        self._restricted(moved, two, second, two.degree), below, back
-                    ),
-                )
-            except ResampleError:
-                return None
-
-        sizes = 2 if one.angle >= 0 else 1, 2 if two.angle >= 0 else 1
-        bound = sizes[0] * sizes[1] * (one.degree * two.degree + back * crossed)
-        found = common_root(restricted, bound, self._source, self.prime)
-        if found is None:
-            raise ResampleError
-        return _placed(_placed(point, one, found[0]), two, found[1])
-
-    def _restricted(
-        self, point: PointRing, unsolved: Unsolved, equation: Expression, degree: int
-    ) -> list[int]:
-        """Coefficients of an equation in the unknown, or in the tangent of its half."""
-        values, places = list[int](), list[int]()
-        place, turning = 0, unsolved.angle >= 0
-        while len(places) <= (2 * degree if turning else degree):
-            place += 1
-            value = _placed(point, unsolved, place).value(equation)
-            if turning:
-                value = value * point.rational(Fraction(1 + place * place)) ** degree
-            values.append(int(value))
-            places.append(place)
-        return interpolated(places, values, self.prime)
 
     def changes(
         self, point: PointRing, way: Way, texts: Sequence[str]
@@ -325,23 +258,6 @@ class Postures:
                 values = tuple(factor * x for x in values)
             twists[label] = tuple(values)
         return twists
-
-
-def _placed(point: PointRing, unsolved: Unsolved, place: int) -> PointRing:
-    """The point with another value of a symbol, or of the tangent of half an angle."""
-    value = point.rational(Fraction(place))
-    if unsolved.angle < 0:
-        if unsolved.symbol not in point.numbers:
-            raise RefusedError(f"there is no symbol {unsolved.symbol!r}")
-        return point.changed(numbers={unsolved.symbol: value})
-    turn = turn_of(value)
-    if turn is None:
-        raise ResampleError
-    return point.changed(unsolved.angle, turn)
-
-
-def _times(coefficients: Sequence[int], factor: int, power: int) -> list[int]:
-    return [value * factor**power for value in coefficients]
 
 
 def _limbs(

@@ -76,6 +76,8 @@ class Unsolved:
         angle: Number of the basis angle, or −1.
         symbol: Name of the symbol, where there is no angle.
         degree: In the symbol, or in sine and cosine of the angle.
+        together: Conditions that are linear in some symbols together: this one is met
+            by its symbol and these, of first degree, by theirs, all at once.
         beside: A second condition that shares both unknowns; its own is another one.
         across: Degree of this condition in the unknown of the second one, and of the
             second one in the unknown of this.
@@ -85,6 +87,7 @@ class Unsolved:
     angle: int = -1
     symbol: str = ""
     degree: int = 1
+    together: tuple[Unsolved, ...] = ()
     beside: Unsolved | None = None
     across: tuple[int, ...] = ()
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import combinations
 
+from screwkit.algebra.linear_systems import linear_systems
 from screwkit.algebra.points_on import Unknown, degree_in, unknowns
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
@@ -30,8 +31,22 @@ def roots_of(
                 found.append(_unsolved(ring, left.pop(position), own[0]))
                 break
         else:
-            found.append(_pair(ring, left))
+            found.append(_together(ring, left) or _pair(ring, left))
     return tuple(reversed(found))
+
+
+def _together(ring: TrigonometricRing, left: list[Polynomial]) -> Unsolved | None:
+    """Conditions linear in as many symbols, which the others lack; taken out."""
+    systems = linear_systems(ring, left)
+    if not systems:
+        return None
+    conditions, symbols = systems[0].conditions, systems[0].symbols
+    taken = [
+        replace(_unsolved(ring, left[k], ("x", index)), degree=1)
+        for k, index in zip(conditions, symbols, strict=True)
+    ]
+    left[:] = [c for k, c in enumerate(left) if k not in conditions]
+    return replace(taken[0], together=tuple(taken[1:]))
 
 
 def _pair(ring: TrigonometricRing, left: list[Polynomial]) -> Unsolved:

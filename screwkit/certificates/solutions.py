@@ -16,6 +16,7 @@ from screwkit.algebra.exact_point import PointRing, Turn
 from screwkit.algebra.expression import Expression
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import Case, Step
+from screwkit.certificates.root_postures import linear_solution
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.texts import RefusedError, fraction, read
 
@@ -70,7 +71,7 @@ class Solutions:
         turns = [self._postures.turn() for _ in range(5)]
         rows = [(sine, cosine, point.one) for cosine, sine in turns]
         values = [at(turn) for turn in turns]
-        p, q, r = self._postures.solved(rows[:3], values[:3])
+        p, q, r = linear_solution(rows[:3], values[:3], self._postures.prime)
         for (s, c, _), value in zip(rows[3:], values[3:], strict=True):
             if value != p * s + q * c + r:
                 raise RefusedError("an equation is not linear in sine and cosine")

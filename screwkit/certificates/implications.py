@@ -1,0 +1,218 @@
+"""What several unsolved conditions imply together, as multiples of them in a sum.
+
+Two conditions whose leading coefficients are made equal; sums by Gauss's elimination
+of monomials; and an equation multiplied until it is such a sum, by
+pseudo-division by one condition after the other.
+
+References: [CoxLittleOShea] §2.3, §6.5 (pseudo-division).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from heapq import heappop, heappush
+from itertools import combinations, combinations_with_replacement, count
+from math import prod
+
+from flint import fmpq_mat
+
+from screwkit.algebra.division import exact_quotient
+from screwkit.algebra.substitution import angle_parts, linear_parts
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+
+SHORT = 40
+"""Terms of leading coefficients by which conditions are combined."""
+
+LONGEST = 4_000
+"""Terms of a sum, or of what is left of an equation."""
+
+WIDEST = 500
+"""Columns of a matrix of Macaulay."""
+
+STEPS = 600
+"""Pseudo-divisions of one equation."""
+
+_Terms = tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Combination:
+    """A sum of multiples of conditions.
+
+    Attributes:
+        value: The sum; not zero.
+        times: By condition, what it is multiplied with; 0 where it is not needed.
+    """
+
+    value: Polynomial
+    times: tuple[Polynomial, ...]
+
+
+def equal_leads(
+    ring: TrigonometricRing, conditions: Sequence[Polynomial]
+) -> Iterator[Combination]:
+    """Sums of two conditions without the highest power of a generator in both."""
+    for one, two in combinations(range(len(conditions)), 2):
+        p, q = conditions[one], conditions[two]
+        for index, (a, b) in enumerate(zip(p.degrees(), q.degrees(), strict=True)):
+            if not a or a != b:
+                continue
+            first, second = (_leading(ring, c, index, int(a)) for c in (p, q))
+            if min(len(first), len(second)) > SHORT:
+                continue
+            common = first.gcd(second)
+            times = [ring.zero] * len(conditions)
+            times[one], times[two] = second / common, -(first / common)
+            value = ring.normal(times[one] * p + times[two] * q)
+            if value != 0 and len(value) <= LONGEST:
+                yield Combination(value, tuple(times))
+
+
+def sums_by_elimination(
+    ring: TrigonometricRing, conditions: Sequence[Polynomial], degree: int
+) -> Iterator[Combination]:
+    """Multiples of the conditions after Gauss's elimination of their monomials.
+
+    Each condition is taken times all monomials up to a degree; monomials of high degree
+    are eliminated first (Macaulay's matrix).  Square roots of numbers count as numbers.
+    """
+    factors = _monomials(ring, conditions, degree)
+    rows = [
+        (number, factor, ring.normal(factor * condition))
+        for number, condition in enumerate(conditions)
+        for factor in factors
+    ]
+    monomials = sorted(
+        {tuple(map(int, e)) for _, _, value in rows for e in value.monoms()},
+        key=lambda e: (-sum(e), e),
+    )
+    if len(conditions) < 2 or len(monomials) + len(rows) > WIDEST:
+        return
+    places = {monomial: place for place, monomial in enumerate(monomials)}
+    width = len(monomials)
+    matrix = fmpq_mat(len(rows), width + len(rows))
+    for place, (_, _, value) in enumerate(rows):
+        for exponents, coefficient in value.to_dict().items():
+            matrix[place, places[tuple(map(int, exponents))]] = coefficient
+        matrix[place, width + place] = 1
+    reduced, rank = matrix.rref()
+    found = []
+    for place in range(rank):
+        times = [ring.zero] * len(conditions)
+        for own, (number, factor, _) in enumerate(rows):
+            times[number] += factor * reduced[place, width + own]
+        value = ring.normal(
+            sum((t * c for t, c in zip(times, conditions, strict=True)), ring.zero)
+        )
+        if value != 0 and sum(t != 0 for t in times) > 1:
+            found.append(Combination(value, tuple(times)))
+    yield from sorted(found, key=lambda own: len(own.value))
+
+
+def _monomials(
+    ring: TrigonometricRing, conditions: Sequence[Polynomial], degree: int
+) -> list[Polynomial]:
+    """In the generators that occur, up to a degree, times square roots of numbers."""
+    gens = ring.context.gens()
+    roots = {*ring.constant_generators}
+    used = [
+        gen
+        for place, (name, gen) in enumerate(zip(ring.names, gens, strict=True))
+        if name not in roots and any(c.degrees()[place] for c in conditions)
+    ]
+    found = [
+        prod(chosen, start=ring.one)
+        for size in range(degree + 1)
+        for chosen in combinations_with_replacement(used, size)
+    ]
+    for name in roots:
+        found += [factor * ring.generator(name) for factor in found]
+    return found
+
+
+def made_a_sum(
+    ring: TrigonometricRing,
+    equation: Polynomial,
+    conditions: Sequence[Polynomial],
+    usable: Callable[[Polynomial], bool],
+) -> Combination | None:
+    """A multiple of an equation that is a sum of multiples of conditions.
+
+    Where what it is multiplied with does not vanish, it follows from the conditions.
+
+    Args:
+        ring: Of all polynomials.
+        equation: The equation.
+        conditions: The conditions.
+        usable: Whether to multiply with a leading coefficient of a condition.
+    """
+    waiting = [(0, 0, equation, ring.one, (ring.zero,) * len(conditions))]
+    seen: set[str] = set()
+    order = count(1)
+    while waiting and next(order) < STEPS:
+        _, _, rest, scale, times = heappop(waiting)
+        for number, condition in enumerate(conditions):
+            for lead, quotient in _divisions(ring, rest, condition):
+                left = ring.normal(lead * rest - quotient * condition)
+                if len(left) > LONGEST or str(left) in seen or not usable(lead):
+                    continue
+                seen.add(str(left))
+                scaled = tuple(ring.normal(lead * t) for t in times)
+                sums = _plus(ring, scaled, number, quotient)
+                whole = ring.normal(scale * lead)
+                for last, other in enumerate(conditions):
+                    exact = exact_quotient(left, other)
+                    if exact is not None:
+                        done = _plus(ring, sums, last, exact)
+                        return Combination(ring.normal(whole * equation), done)
+                cost = len(left) + len(whole)
+                heappush(waiting, (cost, next(order), left, whole, sums))
+    return None
+
+
+def _plus(
+    ring: TrigonometricRing,
+    times: Sequence[Polynomial],
+    number: int,
+    more: Polynomial,
+) -> tuple[Polynomial, ...]:
+    return tuple(
+        ring.normal(t + more) if k == number else t for k, t in enumerate(times)
+    )
+
+
+def _divisions(
+    ring: TrigonometricRing, value: Polynomial, condition: Polynomial
+) -> Iterator[tuple[Polynomial, Polynomial]]:
+    """(A, Q): A·value − Q·condition lacks a generator that both are linear in."""
+    degrees = value.degrees(), condition.degrees()
+    for index in ring.symbol_indices():
+        if all(own[index] == 1 for own in degrees):
+            lead, _ = linear_parts(ring, condition, index)
+            top, _ = linear_parts(ring, value, index)
+            yield _without_common(lead, top)
+    for angle in range(len(ring.basis)):
+        parts = angle_parts(ring, value, angle), angle_parts(ring, condition, angle)
+        if parts[0] is None or parts[1] is None:
+            continue
+        for top, lead in zip(parts[0][:2], parts[1][:2], strict=True):
+            if top != 0 and lead != 0:
+                yield _without_common(lead, top)
+
+
+def _without_common(lead: Polynomial, top: Polynomial) -> tuple[Polynomial, Polynomial]:
+    common = lead.gcd(top)
+    return lead / common, top / common
+
+
+def _leading(
+    ring: TrigonometricRing, value: Polynomial, index: int, degree: int
+) -> Polynomial:
+    """The coefficient of the highest power of a generator."""
+    terms = {
+        tuple(0 if i == index else e for i, e in enumerate(exponents)): coefficient
+        for exponents, coefficient in value.to_dict().items()
+        if exponents[index] == degree
+    }
+    return ring.context.from_dict(terms)
