@@ -7,7 +7,7 @@ computed once.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,17 +17,16 @@ from screwkit.algebra.names import did_you_mean
 from screwkit.errors import (
     Fault,
     MechanismFileError,
+    UndecidedError,
     UnknownCaseError,
     UnknownNameError,
 )
 from screwkit.mechanism.files import mechanism_from_text, place_of, read_mechanism
-from screwkit.mechanism.graph import actuable_freedoms
+from screwkit.mechanism.given_scheme import with_actuated
 from screwkit.mechanism.model import (
     Claim,
-    Joint,
     Mechanism,
     Variant,
-    freedom_label,
 )
 from screwkit.mechanism.reading import Outside
 from screwkit.mechanism.variants import at_variant
@@ -37,6 +36,7 @@ if TYPE_CHECKING:
     from screwkit.analyses.limb_view import LimbView
     from screwkit.kinematics.assembly import Assembly
     from screwkit.kinematics.network import Network
+    from screwkit.kinematics.whole_graph import WholeGraph
 
 
 @dataclass(frozen=True)
@@ -137,6 +137,22 @@ class Case:
         return Assembly(self.mechanism)
 
     @cached_property
+    def graph(self) -> WholeGraph | None:
+        """The whole joint graph, where the mechanism is no sum of nested limbs.
+
+        None where its limbs say all, or loops tie joint variables together.
+        """
+        from screwkit.kinematics.whole_graph import WholeGraph  # noqa: PLC0415
+
+        if self.network.tied:
+            return None
+        try:
+            self.assembly.refuse_other_loops()
+        except UndecidedError:
+            return WholeGraph(self.mechanism)
+        return None
+
+    @cached_property
     def network(self) -> Network:
         """The mechanism as a graph of bodies and freedoms."""
         from screwkit.kinematics.network import Network  # noqa: PLC0415
@@ -229,7 +245,7 @@ def _asked(mechanism: Mechanism, given: Given, path: Path | None) -> Case:
     if given.set_values:
         mechanism = with_numbers(mechanism, given.set_values)
     if given.actuated is not None:
-        mechanism = _with_actuated(mechanism, given.actuated)
+        mechanism = with_actuated(mechanism, given.actuated)
     _refuse_open_table(mechanism, path)
     wanted: dict[str, Expression] = {}
     unplaced = mechanism
@@ -312,58 +328,6 @@ def _variant(mechanism: Mechanism, name: str) -> Variant:
     if not hint:
         hint = f"; it has {', '.join(known)}" if known else "; it has none"
     raise UnknownNameError(f"no variant {name!r} of {mechanism.name}{hint}")
-
-
-def _with_actuated(mechanism: Mechanism, actuated: Sequence[str]) -> Mechanism:
-    known = dict.fromkeys(actuable_freedoms(mechanism))
-    wanted = frozenset(actuated)
-    if twice := next((name for name in actuated if list(actuated).count(name) > 1), ""):
-        raise UnknownNameError(f"{twice!r} stands twice among the actuated freedoms")
-    for name in actuated:
-        if name not in known:
-            hint = did_you_mean(name, known)
-            raise UnknownNameError(
-                f"no actuable freedom {name!r} in {mechanism.name}{hint}"
-            )
-    return replace(
-        mechanism,
-        joints=tuple(_driven(joint, wanted) for joint in mechanism.joints),
-        scheme_order=tuple(actuated),
-        weights=_weights_of(mechanism, actuated),
-    )
-
-
-def _weights_of(
-    mechanism: Mechanism, actuated: Sequence[str]
-) -> dict[str, tuple[tuple[Expression, ...], ...]]:
-    """The weights, those of rates and torques for other actuators.
-
-    Raises:
-        UnknownNameError: If a freedom has none.
-    """
-    found = dict(mechanism.weights)
-    before = list(mechanism.scheme_order)
-    for key in ("rates", "torques"):
-        if key not in found:
-            continue
-        for name in actuated:
-            if name not in before:
-                raise UnknownNameError(
-                    f"the weights of {key} in {mechanism.name} are for "
-                    f"{', '.join(before)}; there is none for {name!r}"
-                )
-        chosen = [before.index(name) for name in actuated]
-        found[key] = tuple(tuple(found[key][i][j] for j in chosen) for i in chosen)
-    return found
-
-
-def _driven(joint: Joint, actuated: frozenset[str]) -> Joint:
-    driven = tuple(
-        index
-        for index in range(len(joint.variables))
-        if freedom_label(joint, index) in actuated
-    )
-    return replace(joint, actuated=driven)
 
 
 def _refuse_open_table(mechanism: Mechanism, path: Path | None) -> None:

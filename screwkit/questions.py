@@ -174,12 +174,27 @@ def singularities(
 
         return sliced_singularities(case, slices, Path(output), singularities)
     _need_exact_posture(case)
-    if certificate and case.assembly.has_blocks:
+    if certificate and (case.graph is not None or case.assembly.has_blocks):
         raise UndecidedError(
-            "limbs have loops inside, of which no certificate can be written yet; "
-            "without --certificate this question is answered"
+            "limbs have loops inside, or loops lie outside limbs, of which no "
+            "certificate can be written yet; without --certificate this question is "
+            "answered"
         )
-    answer = analysis.singularities(case.assembly, progress=progress, finished=finished)
+    if strata and case.graph is not None:
+        raise UndecidedError(
+            "where components meet is told for mechanisms of limbs that are chains, or "
+            "nestings of chains; without --strata this question is answered"
+        )
+    if case.graph is not None:
+        from screwkit.analyses.graph_singularities import (  # noqa: PLC0415
+            graph_singularities,
+        )
+
+        answer = graph_singularities(case.graph, progress=progress, finished=finished)
+    else:
+        answer = analysis.singularities(
+            case.assembly, progress=progress, finished=finished
+        )
     answer = replace(answer, one_posture=not case.network.has_symbols)
     if strata:
         from screwkit.analyses.strata import strata as found  # noqa: PLC0415
@@ -256,6 +271,20 @@ def schemes(
     case.need_held_platform()
     _need_exact_posture(case)
     terms = analysis.WORK if work is None else work
+    if case.graph is not None:
+        if rank or add:
+            raise UndecidedError(
+                "schemes are ranked, and actuators added, where the limbs are chains "
+                "or nestings of chains; without --rank and --add this question is "
+                "answered"
+            )
+        from screwkit.analyses.graph_schemes import graph_schemes  # noqa: PLC0415
+
+        graph = case.graph
+        answer = graph_schemes(
+            graph, size, candidates, balanced, progress, terms, finished
+        )
+        return replace(answer, one_posture=not case.network.has_symbols)
     answer = analysis.schemes(
         case.assembly,
         size,

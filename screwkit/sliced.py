@@ -66,6 +66,9 @@ def _lost_everywhere(case: Case, inside: Case) -> list[str]:
 
     No curve shows that, because it is not special within the slice.
     """
+    if case.graph is not None and inside.graph is not None:
+        ranks = [graph.generic_state().loop for graph in (case.graph, inside.graph)]
+        return _lost_by_loops(*ranks)
     before, after = case.assembly, inside.assembly
     found = []
     for limb in before.limbs:
@@ -75,9 +78,13 @@ def _lost_everywhere(case: Case, inside: Case) -> list[str]:
                 f"{limb_called(limb.name)} is singular in the whole slice: "
                 f"rank {here}, in general {general}"
             )
-    if after.loop_rank < before.loop_rank:
-        found.append(
-            f"the constraints of the loops have rank {after.loop_rank} in the whole "
-            f"slice, in general {before.loop_rank}"
-        )
-    return found
+    return [*found, *_lost_by_loops(before.loop_rank, after.loop_rank)]
+
+
+def _lost_by_loops(general: int, here: int) -> list[str]:
+    if here >= general:
+        return []
+    return [
+        f"the constraints of the loops have rank {here} in the whole slice, in general "
+        f"{general}"
+    ]

@@ -72,7 +72,7 @@ def verify(
         CertificateError: If the file is no certificate.
         MechanismFileError: If the mechanism that it carries, or ``case``, is wrong.
     """
-    from screwkit.analyses.singularities import assumptions_in_words  # noqa: PLC0415
+    from screwkit.analyses.assumed import assumptions_in_words  # noqa: PLC0415
     from screwkit.case import load, load_text  # noqa: PLC0415
     from screwkit.certificates.checking import check  # noqa: PLC0415
     from screwkit.certificates.texts import RefusedError  # noqa: PLC0415
@@ -82,7 +82,10 @@ def verify(
     changes = _changes(document.mechanism)
     try:
         own = load_text(document.mechanism.text, document.mechanism.json, **changes)
-        carried, assumed = own.mechanism, assumptions_in_words(own.assembly)
+        carried, assumed = (
+            own.mechanism,
+            assumptions_in_words(own.assembly.mechanism, own.assembly.assumptions),
+        )
     except (MechanismFileError, ScrewkitError) as error:
         reason = f"the mechanism in it cannot be read: {error}"
         return Verification(document.case, "", False, (), reason)

@@ -9,14 +9,14 @@ from screwkit.results.singularities import Component
 
 
 def limb_component(
-    piece: Piece, rank: int, meanings: Meanings, dimension: int
+    piece: Piece, rank: int, meanings: Meanings | None, dimension: int
 ) -> Component:
     """What holds on a piece.
 
     Args:
         piece: Where the limb loses a freedom.
         rank: Of its twists there.
-        meanings: Of the limb's frame.
+        meanings: Of the limb's frame; None where no sentence is looked for.
         dimension: Coordinates of a twist that count.
     """
     return Component(
@@ -25,6 +25,6 @@ def limb_component(
         solutions=all_solutions(piece),
         solved=solved_equations(piece),
         rank=rank,
-        geometry=meanings.of(piece),
+        geometry=meanings.of(piece) if meanings else None,
         wrench_dimension=dimension - rank,
     )

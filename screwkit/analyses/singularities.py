@@ -10,10 +10,10 @@ from typing import Any
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factor_library import FactorLibrary
-from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.analyses.actuation_parts import actuation_parts
+from screwkit.analyses.assumed import assumptions_in_words, unsplit
 from screwkit.analyses.hybrid_limbs import hybrid_limb, strata_of
 from screwkit.analyses.limb_component import limb_component
 from screwkit.analyses.superbracket import superbracket
@@ -96,36 +96,12 @@ def singularities(
         limb=tuple(limbs),
         constraint=constraint,
         actuation=actuation,
-        assumptions=(*assumptions_in_words(assembly), *_unsplit(assembly, listed)),
+        assumptions=(
+            *assumptions_in_words(assembly.mechanism, assembly.assumptions),
+            *unsplit(assembly.libraries, listed),
+        ),
         platform_name=assembly.mechanism.platform,
     )
-
-
-def assumptions_in_words(assembly: Assembly) -> tuple[str, ...]:
-    """What the derivation takes for granted."""
-    declared = assembly.assumptions
-    words = [f"{name} > 0" for name in sorted(declared.positive)]
-    words += [f"{name} ≠ 0" for name in sorted(declared.nonzero - declared.positive)]
-    parameters = [p.name for p in assembly.mechanism.parameters if not p.free]
-    if parameters:
-        words.append(
-            f"no special relation between the dimensions {', '.join(parameters)}"
-            if len(parameters) > 1
-            else f"no special value of the dimension {parameters[0]}"
-        )
-    return tuple(words)
-
-
-def _unsplit(assembly: Assembly, listed: Sequence[str]) -> list[str]:
-    """Equations that were not shown to be irreducible, in words."""
-    lengths = {
-        equation_text(ring, factor.polynomial): len(factor.polynomial)
-        for ring, library in assembly.libraries.items()
-        for factor in library.factors.values()
-        if not factor.certified and factor.form is None
-    }
-    found = sorted({lengths[text] for text in listed if text in lengths})
-    return [f"that the equation of {terms} terms does not split" for terms in found]
 
 
 def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities:

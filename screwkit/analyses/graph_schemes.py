@@ -1,0 +1,233 @@
+"""Which joints may be actuated, for any joint graph: ranks first, then loci.
+
+The joint rates that close all loops form a small space; a scheme is admissible where
+those that leave its freedoms still leave the platform still.  That is decided for all
+schemes at exact postures.
+
+References: [LongCaroKhalil2012] §5.2.2.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import combinations
+from math import comb
+from typing import Any
+
+from screwkit.algebra.names import counted
+from screwkit.errors import TooLargeError, UnknownNameError
+from screwkit.kinematics.whole_graph import GraphState, LockedRanks, WholeGraph
+from screwkit.loci.graph_loci import actuation_locus
+from screwkit.loci.meanings import Meanings
+from screwkit.loci.pieces import Piece
+from screwkit.loci.wording import equations_of
+from screwkit.progress import Progress, silent
+from screwkit.results.schemes import Balanced, LocusFactor, Refusal, Scheme, Schemes
+
+LARGEST = 20_000  # schemes; beyond, candidates have to be named
+PER_LOCUS = 20_000
+"""Terms that the locus of one scheme counts as."""
+
+_NAMED = 30  # freedoms up to which statements about axes are tried
+
+
+@dataclass
+class _Loci:
+    """The loci of schemes under way."""
+
+    graph: WholeGraph
+    left: int
+    pieces: dict[str, Piece] = field(default_factory=dict)
+    counts: Counter[str] = field(default_factory=Counter)
+
+    def of(self, scheme: Scheme) -> Scheme:
+        """The scheme with the equations on which it fails."""
+        if not scheme.admissible:
+            return scheme
+        if self.left <= 0:
+            return replace(scheme, undecided=True)
+        self.left -= PER_LOCUS
+        found = actuation_locus(self.graph, scheme.actuated)
+        moving = self._taken(found.pieces)
+        idle = self._taken(found.others)
+        texts = sorted([*moving, *idle], key=lambda text: (len(text), text))
+        self.counts.update(texts)
+        deeper = any(p.codimension > 1 for p in (*found.pieces, *found.others))
+        return replace(
+            scheme,
+            locus=tuple(texts),
+            multiplicities=(1,) * len(texts),
+            idle=tuple(text for text in texts if text in idle),
+            undecided=not found.hypersurfaces_known,
+            deeper=deeper or bool(found.reason),
+        )
+
+    def _taken(self, pieces: Sequence[Piece]) -> list[str]:
+        texts = []
+        for piece in pieces:
+            if piece.codimension == 1:
+                text = equations_of(piece)[0]
+                self.pieces.setdefault(text, piece)
+                texts.append(text)
+        return texts
+
+    def factors(self) -> tuple[LocusFactor, ...]:
+        """All equations with their meanings, the commonest first."""
+        few = len(self.graph.framed.joints) <= _NAMED
+        graph = self.graph
+        meanings = Meanings(graph.framed, graph.root, graph.library) if few else None
+        return tuple(
+            LocusFactor(
+                text,
+                meanings.each_of(self.pieces[text]) if meanings else None,
+                sum(map(len, self.pieces[text].equations)),
+                count,
+            )
+            for text, count in self.counts.most_common()
+        )
+
+
+def graph_schemes(
+    graph: WholeGraph,
+    size: int | None = None,
+    candidates: Sequence[str] | None = None,
+    balanced: bool = False,
+    progress: Progress = silent,
+    work: int = 1_000_000,
+    finished: Callable[[str, Any], None] = lambda name, part: None,
+) -> Schemes:
+    """Answer ``schemes`` for any joint graph whose loops close by construction.
+
+    Args:
+        graph: The mechanism.
+        size: Number of actuated freedoms; the platform's twist dimension by default.
+        candidates: Freedoms that may be actuated; all by default.
+        balanced: List only schemes with the same number from every limb.
+        progress: Told about each stage.
+        work: Terms that all loci together may take.
+        finished: Given the answer without loci as soon as it is there.
+
+    Raises:
+        UnknownNameError: If a candidate is no freedom that a motor can drive, or there
+            are fewer of them than a scheme has.
+        TooLargeError: If there are more schemes than can sensibly be listed.
+    """
+    number = graph.generic_state().platform_freedom if size is None else size
+    chosen = _candidates(graph, candidates)
+    if number > len(chosen):
+        among = counted(len(chosen), "candidate")
+        raise UnknownNameError(
+            f"schemes of {counted(number, 'joint')} are asked for, but "
+            f"{graph.mechanism.name} has {among}; give a smaller size (--size) or more "
+            f"of them (--candidates)"
+        )
+    total = comb(len(chosen), number)
+    if total > LARGEST:
+        raise TooLargeError(
+            f"{total} schemes of {number} among {len(chosen)} joints are more than "
+            f"{LARGEST}; name fewer with --candidates"
+        )
+    progress("schemes", f"{total} schemes of {number} joints")
+    ranks = [LockedRanks(found) for found in graph.network.motions]
+    listed = [
+        _scheme(graph, actuated, ranks)
+        for actuated in combinations(chosen, number)
+        if not balanced or _is_balanced(graph, actuated)
+    ]
+    known = _answer(graph, number, listed)
+    finished("admissible", replace(known, complete=False, reason="no locus yet"))
+    loci = _Loci(graph, work)
+    done = []
+    for count, scheme in enumerate(listed):
+        if count % 10 == 0:
+            progress("schemes", f"{count} of {len(listed)} schemes")
+        done.append(loci.of(scheme))
+    return replace(
+        _answer(graph, number, done),
+        factors=loci.factors(),
+        complete=not any(scheme.undecided for scheme in done),
+        reason=_open(done, loci),
+    )
+
+
+def _candidates(graph: WholeGraph, names: Sequence[str] | None) -> tuple[str, ...]:
+    driven = tuple(
+        x for x in graph.network.labels if x not in graph.network.contact_labels
+    )
+    if names is None:
+        return driven
+    for name in names:
+        if name not in driven:
+            known = ", ".join(driven)
+            raise UnknownNameError(f"no freedom {name!r} to drive; there are {known}")
+    return tuple(label for label in driven if label in set(names))
+
+
+def _scheme(
+    graph: WholeGraph, actuated: tuple[str, ...], ranks: Sequence[LockedRanks]
+) -> Scheme:
+    """A scheme of which only the rank is known."""
+    states = [one.state(actuated) for one in ranks]
+    state: GraphState = max(states, key=lambda s: s.loop)
+    freedom = state.platform_freedom
+    left = counted(freedom, "freedom")
+    return Scheme(
+        actuated,
+        not freedom,
+        len(graph.network.rows) - freedom,
+        reason=f"the platform keeps {left}" if freedom else None,
+        balanced=_is_balanced(graph, actuated),
+    )
+
+
+def _is_balanced(graph: WholeGraph, actuated: Sequence[str]) -> bool:
+    limbs = graph.framed.limbs
+    counts = {sum(label in actuated for label in limb) for limb in limbs}
+    return len(counts) == 1 and sum(map(len, limbs)) >= len(actuated)
+
+
+def _answer(graph: WholeGraph, size: int, listed: Sequence[Scheme]) -> Schemes:
+    """The schemes and their numbers."""
+    limbs = graph.framed.limbs
+    even = [scheme for scheme in listed if scheme.balanced]
+    divides = bool(limbs) and size % len(limbs) == 0
+    return Schemes(
+        case=graph.mechanism.name,
+        title=graph.mechanism.title,
+        size=size,
+        total=len(listed),
+        admissible=sum(scheme.admissible for scheme in listed),
+        balanced=Balanced(len(even), sum(s.admissible for s in even))
+        if divides
+        else None,
+        schemes=tuple(listed),
+        refusals=_refusals(listed),
+    )
+
+
+def _refusals(listed: Sequence[Scheme]) -> tuple[Refusal, ...]:
+    groups: dict[str, list[Scheme]] = {}
+    for scheme in listed:
+        if scheme.reason is not None:
+            groups.setdefault(scheme.reason, []).append(scheme)
+    refusals = [
+        Refusal(reason, len(group), group[0].actuated)
+        for reason, group in groups.items()
+    ]
+    return tuple(sorted(refusals, key=lambda refusal: -refusal.schemes))
+
+
+def _open(listed: Sequence[Scheme], loci: _Loci) -> str:
+    """Why not every locus was found."""
+    left = sum(scheme.undecided for scheme in listed)
+    if not left:
+        return ""
+    schemes_left = f"{left} of {len(listed)} schemes"
+    if loci.left > 0:
+        return f"the loci of {schemes_left} could not be decided within the budget"
+    return (
+        f"the loci of {schemes_left} are left; ask for one of them with "
+        f"singularities --actuated, or for more with --work"
+    )

@@ -1,0 +1,174 @@
+"""The singular loci of any joint graph, from the loop equations alone.
+
+Constraint: where the loop constraint matrix C loses rank.  Actuation: where, with the
+actuated freedoms locked, the platform moves; only where the columns of the others lose
+rank can it do so.  Limb: where rank [C; P] − rank C of the limb falls, P being the
+platform's twist; only where [C; P] loses rank can it.  Pieces of such a matrix's locus
+that are no finds themselves are searched in turn, for what lies inside.
+
+References: [Zlatanov2002], [LongCaroKhalil2012] §5.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.names import counted
+from screwkit.algebra.points import Point
+from screwkit.algebra.search import Search
+from screwkit.kinematics.whole_graph import GraphState, Row, WholeGraph, state_of
+from screwkit.loci.loose_equations import about_loose, loose
+from screwkit.loci.matrix_drop import MatrixZeros, RankAt, matrix_zeros
+from screwkit.loci.pieces import Piece, lies_in, pieces_of, without_contained
+
+_LONGEST = 60_000  # terms of a polynomial that is factored
+_BUDGET = 600  # case distinctions on one locus
+
+Judge = Callable[[Branch], bool]
+"""Whether a branch with exact points is a find."""
+
+
+@dataclass(frozen=True)
+class GraphLocus:
+    """What was found of a locus.
+
+    Attributes:
+        pieces: The finds.
+        others: Largest pieces on which the matrix loses rank, and which are no finds.
+        reason: Why the list may have gaps; empty where it is proved to have none.
+        hypersurfaces_known: Whether all pieces of one condition were found.
+    """
+
+    pieces: tuple[Piece, ...]
+    others: tuple[Piece, ...] = ()
+    reason: str = ""
+    hypersurfaces_known: bool = True
+
+
+def constraint_locus(graph: WholeGraph) -> GraphLocus:
+    """Where the loop constraint matrix loses rank."""
+    _, rows = graph.equations()
+
+    def rank_at(point: Point, prime: int) -> int:
+        return graph.motion_at(point, prime).rank
+
+    return _searched(graph, rows, rank_at, lambda branch: True)
+
+
+def actuation_locus(graph: WholeGraph, actuated: Collection[str]) -> GraphLocus:
+    """Where the platform moves with these freedoms locked, though not in general."""
+    _, rows = graph.equations(actuated)
+
+    def rank_at(point: Point, prime: int) -> int:
+        return graph.motion_at(point, prime, actuated).rank
+
+    def moves(branch: Branch) -> bool:
+        return state_on(graph, [branch], actuated).platform_freedom > 0
+
+    return _searched(graph, rows, rank_at, moves)
+
+
+def limb_locus(limb: WholeGraph) -> GraphLocus:
+    """Where a limb, taken as a mechanism of its own, allows the platform less."""
+    _, rows = limb.equations(held=True)
+    generic = limb.generic_state().platform_freedom
+
+    def rank_at(point: Point, prime: int) -> int:
+        state = state_of(limb.motion_at(point, prime))
+        return state.loop + state.platform_freedom
+
+    def holds(branch: Branch) -> bool:
+        return state_on(limb, [branch]).platform_freedom < generic
+
+    return _searched(limb, rows, rank_at, holds)
+
+
+def state_on(
+    graph: WholeGraph, branches: Sequence[Branch], locked: Collection[str] = ()
+) -> GraphState:
+    """What moves in general on the first branches of a piece."""
+    states = [
+        state_of(graph.motion_at(*point, locked))
+        for branch in branches[:2]
+        for point in branch.points
+    ]
+    return max(states, key=lambda state: state.loop)
+
+
+def _searched(
+    graph: WholeGraph, rows: Sequence[Row], rank_at: RankAt, is_find: Judge
+) -> GraphLocus:
+    """Finds on the locus of a matrix, those inside of other pieces too."""
+    search = Search(graph.library, budget=_BUDGET, largest=_LONGEST)
+    zeros = matrix_zeros(graph.root, rows, rank_at, search)
+    finds: list[Piece] = []
+    others: list[Piece] = []
+    everything = [zeros]
+    waiting = pieces_of(zeros.branches)
+    search.skip = lambda branch: any(lies_in(branch, piece) for piece in finds)
+    while waiting:
+        piece = waiting.pop(0)
+        branch = piece.branches[0]
+        if any(lies_in(branch, find) for find in finds):
+            continue
+        if is_find(branch):
+            finds.append(piece)
+            continue
+        if any(_same(piece, other) for other in others):
+            continue
+        others.append(piece)
+        inside = [matrix_zeros(b, rows, rank_at, search) for b in piece.branches]
+        everything += inside
+        waiting += pieces_of([b for found in inside for b in found.branches])
+    finds = without_contained(finds)
+    outer = [p for p in without_contained(others) if not _lies_in_any(p, finds)]
+    depths = _open_depths(everything, finds)
+    unclear = loose(graph.root, finds, is_find, graph.library)
+    reasons = [_why_open(everything, depths), about_loose(len(unclear))]
+    return GraphLocus(
+        tuple(finds),
+        tuple(outer),
+        "; ".join(filter(None, reasons)),
+        min(depths, default=2) > 1,
+    )
+
+
+def _same(one: Piece, other: Piece) -> bool:
+    return {str(e) for e in one.equations} == {str(e) for e in other.equations}
+
+
+def _lies_in_any(piece: Piece, others: Sequence[Piece]) -> bool:
+    return any(lies_in(piece.branches[0], other) for other in others)
+
+
+def _open_depths(found: Sequence[MatrixZeros], finds: Sequence[Piece]) -> list[int]:
+    """Least codimensions of what was left open outside the finds."""
+    return [
+        max(depth, branch.codimension)
+        for zeros in found
+        for branch, depth in zeros.open
+        if not branch.points or not any(lies_in(branch, find) for find in finds)
+    ]
+
+
+def _why_open(found: Sequence[MatrixZeros], depths: Sequence[int]) -> str:
+    """Why a list of finds may have gaps, in words; empty where it has none."""
+    if not depths:
+        return ""
+    sizes = sorted({size for zeros in found for size in zeros.too_large})
+    if sizes:
+        most = sizes[-1]
+        return (
+            f"the determinants of {counted(len(sizes), 'block')} of the loop "
+            f"equations, up to {most[0]} by {most[1]}, are too long to expand"
+        )
+    noun = counted(len(depths), "piece")
+    least = min(depths)
+    if least > 1:
+        return (
+            f"all pieces of codimension {least - 1} were found; {noun} of codimension "
+            f"{least} or more could not be decided within the budget"
+        )
+    return f"{noun} of the locus could not be decided within the budget"

@@ -1,0 +1,118 @@
+"""Sparse matrices of polynomials made small without touching where they lose rank.
+
+An entry that vanishes nowhere is a pivot: with it one row and one column go, and the
+rank falls by one everywhere.  A row that has lost all its entries goes too.  What is
+left is a block triangle, see `algebra.block_triangles`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.kinematics.whole_graph import Row
+
+_LONGEST = 400
+"""Products of terms that one pivot may take; others are left to the minors."""
+
+
+@dataclass(frozen=True)
+class Reduced:
+    """What is left of a matrix.
+
+    Attributes:
+        rows: None is empty.
+        pivots: How many were taken out; the rank is theirs and that of the rows.
+    """
+
+    rows: tuple[Row, ...]
+    pivots: int
+
+
+def reduced(branch: Branch, rows: Sequence[Row]) -> Reduced:
+    """A matrix without rows and columns that nowhere-zero entries clear.
+
+    Args:
+        branch: Where the entries are taken, in the generators left on it.
+        rows: By column.
+    """
+    left = [_without_content(row) for row in rows if row]
+    judged: dict[str, bool] = {}
+    pivots = 0
+    while True:
+        choice = _cheapest(branch, left, judged)
+        if choice is None:
+            break
+        number, column = choice
+        pivot_row = left.pop(number)
+        left = [_cleared(branch, row, pivot_row, column) for row in left]
+        left = [_without_content(row) for row in left if row]
+        pivots += 1
+    return Reduced(tuple(left), pivots)
+
+
+def _cheapest(
+    branch: Branch, rows: Sequence[Row], judged: dict[str, bool]
+) -> tuple[int, int] | None:
+    """The pivot that takes the fewest products of terms."""
+    touching: dict[int, list[int]] = {}
+    for number, row in enumerate(rows):
+        for column in row:
+            touching.setdefault(column, []).append(number)
+    best: tuple[int, int, int] | None = None
+    for number, row in enumerate(rows):
+        terms = sum(map(len, row.values()))
+        for column, entry in row.items():
+            others = [rows[k] for k in touching[column] if k != number]
+            cost = sum(len(other[column]) for other in others) * terms
+            cost += sum(map(_terms, others)) * (len(entry) - 1)
+            if cost > _LONGEST or (best is not None and cost >= best[0]):
+                continue
+            if _is_nonzero(branch, entry, judged):
+                best = cost, number, column
+    return None if best is None else best[1:]
+
+
+def _terms(row: Row) -> int:
+    return sum(map(len, row.values()))
+
+
+def _is_nonzero(branch: Branch, entry: Polynomial, judged: dict[str, bool]) -> bool:
+    if entry.is_constant():
+        return True
+    key = str(entry)
+    if key not in judged:
+        judged[key] = branch.assumptions.is_nonzero(branch.ring, entry) or any(
+            primitive(entry) == primitive(square) for square in branch.divisors
+        )
+    return judged[key]
+
+
+def _cleared(branch: Branch, row: Row, pivot_row: Row, column: int) -> Row:
+    """The row times the pivot, less what the column of the pivot has of it."""
+    if column not in row:
+        return row
+    ring = branch.ring
+    pivot, entry = pivot_row[column], row[column]
+    if pivot.is_constant():
+        entry, pivot = entry / pivot.coeffs()[0], ring.one
+    found: Row = {}
+    for place in {**row, **pivot_row}:
+        if place == column:
+            continue
+        value = row.get(place, ring.zero) * pivot
+        if place in pivot_row:
+            value = value - entry * pivot_row[place]
+        value = ring.normal(value)
+        if value != 0:
+            found[place] = value
+    return found
+
+
+def _without_content(row: Row) -> Row:
+    """A row without a number that all its entries share."""
+    first = next(iter(row.values()))
+    scale = first.coeffs()[0]
+    return row if scale == 1 else {k: value / scale for k, value in row.items()}
