@@ -190,4 +190,4 @@ def ball_by_rates(screws: Array, angles: Array) -> Array:
         axes.append(turn @ screw[:3])
         steps = np.broadcast_to(screw, (len(angle), 6))
         turn = turn @ exponential(steps, angle)[:, :3, :3]
-    return by_turning(rotation_vectors(turn)) @ np.stack(axes, axis=-1)
+    return np.asarray(by_turning(rotation_vectors(turn)) @ np.stack(axes, axis=-1))

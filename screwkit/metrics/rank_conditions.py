@@ -180,7 +180,7 @@ class FallenRank:
         nan where the border does not fit.
         """
         here = self.matrices.values(centres)
-        known = np.isfinite(here).all(axis=(1, 2))
+        known = np.asarray(np.isfinite(here).all(axis=(1, 2)))
         left, sizes, right = np.linalg.svd(np.where(known[:, None, None], here, 0.0))
         right = np.swapaxes(right, 1, 2)
         small = sizes[:, : self.rank] < NEARLY * np.maximum(1.0, sizes[:, :1])

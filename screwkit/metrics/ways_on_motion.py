@@ -159,6 +159,6 @@ def _moved(space: Space, point: Array, step: Array) -> Array | None:
         moved = restored(space.kept, (point + step)[None], MENDING)[0]
         # Comparisons with nan, where none was come to, are false.
         if np.linalg.norm(moved - point - step) <= 0.5 * np.linalg.norm(step):
-            return moved
+            return np.asarray(moved)
         step = step / 2
     return None
