@@ -8,7 +8,7 @@ motion, or a list is not complete, ranks themselves are searched as well.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from screwkit.algebra.closed_values import closed_value
@@ -28,6 +28,7 @@ from screwkit.metrics.posture_ranks import (
     loop_rank,
 )
 from screwkit.metrics.singular_distance import (
+    Looked,
     Nearest,
     Search,
     chart_search,
@@ -211,21 +212,8 @@ def _searched(
         parse(text, names, limits=RESULT_LIMITS) for text in component.equations
     ]
     function = equations_on(posture.chart, posture.mechanism, equations)
-    found = search.on(function, lambda model: kind.falls(kind.rank_of(model)))
-    starts = len(search.starts)
-    if found is None:
-        return SingularityDistance(
-            kind.kind,
-            kind.limb,
-            number,
-            component,
-            kind.generic_rank,
-            None,
-            starts,
-            reason=NONE,
-        )
-    known = kind.rank_of(found.model)
-    return _told(kind, number, component, found, known, starts)
+    looked = search.on(function, lambda model: kind.falls(kind.rank_of(model)))
+    return _answered(kind, number, component, looked)
 
 
 def by_rank(
@@ -245,26 +233,38 @@ def by_rank(
             return known.platform_freedom > 0
         return known.clear
 
-    starts = len(search.starts)
     if kind.kind == "actuation" and search.everywhere(counts):
         reason = "with the actuated joints locked the platform moves at every posture"
-        return _none(kind, 6, starts, by_freedoms, reason)
-    looked: Callable[..., tuple[int, Nearest | None]] = search.where_loops_fall
+        return SingularityDistance(
+            kind.kind, kind.limb, None, None, 6, None, 1, by_freedoms, reason
+        )
+    look: Callable[..., Looked] = search.where_loops_fall
     if kind.kind == "limb":
-        looked = search.where_limb_falls
-    rank, found = looked(kind.labels, counts)
-    generic = 6 if kind.kind == "actuation" else rank
-    if found is None:
-        return _none(kind, generic, starts, by_freedoms, NONE)
-    known = kind.rank_of(found.model)
-    return _told(kind, None, None, found, known, starts, by_freedoms, generic)
+        look = search.where_limb_falls
+    looked = look(kind.labels, counts)
+    generic = 6 if kind.kind == "actuation" else looked.rank
+    own = replace(kind, generic_rank=generic)
+    return replace(_answered(own, None, None, looked), by_freedoms=by_freedoms)
 
 
-def _none(
-    kind: Kind, generic: int, starts: int, by_freedoms: bool, reason: str
+def _answered(
+    kind: Kind, number: int | None, component: Component | None, looked: Looked
 ) -> SingularityDistance:
+    """A search with what the rank is where it ended."""
+    found = looked.nearest
+    if found is not None:
+        known = kind.rank_of(found.model)
+        answer = _told(kind, number, component, found, known, looked.starts)
+        return replace(answer, met=looked.met)
     return SingularityDistance(
-        kind.kind, kind.limb, None, None, generic, None, starts, by_freedoms, reason
+        kind.kind,
+        kind.limb,
+        number,
+        component,
+        kind.generic_rank,
+        None,
+        looked.starts,
+        reason=NONE,
     )
 
 
@@ -275,8 +275,6 @@ def _told(
     found: Nearest,
     known: PostureRank,
     starts: int,
-    by_freedoms: bool = False,
-    generic: int | None = None,
     exact: str = "",
 ) -> SingularityDistance:
     reason = "" if known.clear else UNCLEAR
@@ -287,7 +285,7 @@ def _told(
         kind.limb,
         number,
         component,
-        kind.generic_rank if generic is None else generic,
+        kind.generic_rank,
         NearestPosture(
             found.distance,
             exact,
@@ -298,6 +296,5 @@ def _told(
             known.gap,
         ),
         starts,
-        by_freedoms,
-        reason,
+        reason=reason,
     )

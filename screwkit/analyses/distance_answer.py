@@ -23,6 +23,7 @@ from screwkit.finite.table_search import closed_posture
 from screwkit.kinematics.placement import why_tied
 from screwkit.kinematics.values import declared_values, with_values
 from screwkit.mechanism.graph import independent_loops
+from screwkit.mechanism.joints import CATALOGUE, RIGID
 from screwkit.mechanism.model import Mechanism
 from screwkit.metrics.joint_space import JointSpace, joint_space, pose_origin
 from screwkit.metrics.motion_chart import MotionChart, motion_chart
@@ -134,6 +135,8 @@ def distance(
         if begun:
             said = ", ".join(f"{name} = {value:.6g}" for name, value in begun.items())
             remarks.append(f"distances begin at {said}")
+        if _contacts(mechanism):
+            remarks.append("axes and normals of contacts stay with their parents")
         search = joint_search(space)
         for kind in kinds:
             progress(f"distance, {kind.limb or kind.kind}", "by ranks, in all joints")
@@ -207,13 +210,24 @@ def _number(value: Expression, mechanism: Mechanism) -> float:
 
 def _joints(asked: Asked, chart: MotionChart | None, model: PostureModel) -> JointSpace:
     """The coordinates of all joints, measured as the chart is where that is a pose."""
+    contacts = _contacts(asked.mechanism)
     if chart is None:
         values = declared_values(asked.mechanism)
         numbers = with_values(asked.mechanism, values)
         origin = None if asked.moved else pose_origin(numbers, model)
-        return joint_space(model, asked.length, origin)
+        return joint_space(model, asked.length, origin, contacts)
     posed = chart.posed == frozenset(chart.names)
-    return joint_space(model, chart.length, chart.origin if posed else None)
+    origin = chart.origin if posed else None
+    return joint_space(model, chart.length, origin, contacts)
+
+
+def _contacts(mechanism: Mechanism) -> list[str]:
+    """Contacts with freedoms: in a finite motion their axes stay with their parents."""
+    return [
+        joint.name
+        for joint in mechanism.joints
+        if CATALOGUE[joint.type].contact and joint.type not in RIGID
+    ]
 
 
 def _model(asked: Asked) -> tuple[PostureModel, Mapping[str, float]]:

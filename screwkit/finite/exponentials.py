@@ -125,7 +125,12 @@ def placed_nodes(forest: Forest, screws: Array, coordinates: Array) -> Array:
     return placed
 
 
-def moved(forest: Forest, stance: Stance, coordinates: Array) -> Stance:
+def moved(
+    forest: Forest,
+    stance: Stance,
+    coordinates: Array,
+    placed: Array | None = None,
+) -> Stance:
     """Every posture after a motion, based anew where it arrives.
 
     Args:
@@ -133,8 +138,10 @@ def moved(forest: Forest, stance: Stance, coordinates: Array) -> Stance:
         stance: Where the motion starts.
         coordinates: How far every freedom moves, shape (batch, freedoms); ball joints
             turn about x, then y, then z.
+        placed: What `placed_nodes` gives for them, where that is known.
     """
-    placed = placed_nodes(forest, stance.screws, coordinates)
+    if placed is None:
+        placed = placed_nodes(forest, stance.screws, coordinates)
     far, near = forest.closing
     before = placed[:, forest.before]
     screws = carried(before, stance.screws)
@@ -208,7 +215,11 @@ def cross(first: Array, second: Array) -> Array:
     """The vector product, broadcast; numpy's own is several times slower."""
     a, b, c = first[..., 0], first[..., 1], first[..., 2]
     x, y, z = second[..., 0], second[..., 1], second[..., 2]
-    return np.stack([b * z - c * y, c * x - a * z, a * y - b * x], axis=-1)
+    found = np.empty((*np.broadcast_shapes(a.shape, x.shape), 3))
+    found[..., 0] = b * z - c * y
+    found[..., 1] = c * x - a * z
+    found[..., 2] = a * y - b * x
+    return found
 
 
 def _cross_matrix(vectors: Array) -> Array:

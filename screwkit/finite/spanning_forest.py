@@ -61,6 +61,14 @@ class Forest:
     balls: Indices
 
     @property
+    def behind(self) -> Indices:
+        """The node behind each freedom, shape (freedoms,)."""
+        found = np.zeros_like(self.before)
+        for level in self.levels:
+            found[level.freedoms] = level.behind
+        return found
+
+    @property
     def loop_signs(self) -> Array:
         """How each freedom is passed in each loop, shape (loops, freedoms)."""
         far, near = self.closing

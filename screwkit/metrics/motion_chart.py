@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -25,9 +26,10 @@ from screwkit.kinematics.loops import ring_at
 from screwkit.kinematics.placement import joint_twists
 from screwkit.kinematics.values import with_values
 from screwkit.mechanism.model import Mechanism
-from screwkit.metrics.nearest_point import CUT, slopes
+from screwkit.metrics.nearest_point import CUT
 from screwkit.metrics.posture_samples import posture_sample, posture_symbols
 from screwkit.metrics.rigid_bodies import RigidBodies, Rows, rigid_bodies
+from screwkit.metrics.smooth import Remembered, slopes
 
 SAMPLES = 64
 """Postures from which the characteristic length is taken."""
@@ -93,12 +95,16 @@ class MotionChart:
         """By what bodies differ from those at the start, shape (batch, k)."""
         if self.bodies is None:
             return np.zeros((len(points), 0))
-        now = self.bodies.values(self._rows(points))
+        now = self.bodies.values(self.rows(points))
         before = np.array([*self.inside.values()])
         return np.asarray(now[:, list(self.inside)] - before)
 
-    def _rows(self, points: Array) -> Rows:
-        return unit_rows(self.mechanism, self.values(points), self.length)
+    @cached_property
+    def rows(self) -> Remembered[Rows]:
+        """Unit twists of all freedoms at points, lengths over ``length``."""
+        return Remembered(
+            lambda points: unit_rows(self.mechanism, self.values(points), self.length)
+        )
 
     def _pose(self, points: Array) -> tuple[Array, Array]:
         pose = self.mechanism.pose

@@ -1,70 +1,52 @@
-"""The nearest point of a set from many starts, and the way there.
+"""The nearest point of a set, looked for in rounds until it is met again and again.
 
-Starts lie around the posture, nearer ones and farther ones, the same every time.  What
-is found is the nearest of what they lead to: no proof that nothing is nearer.
+A round walks from the posture in many directions, starts where the conditions nearly
+hold on each way, and descends from the nearest points that are come to.  It ends when
+the nearest of all was met several times and a whole round found nothing nearer: no
+proof, but neither a matter of one lucky start.
+
+References: [RinnooyKanTimmer1987] (multistart from a reduced sample).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
 
 from screwkit.algebra.batch import Array
-from screwkit.metrics.nearest_point import (
-    Batched,
-    Problem,
-    nearest_from,
-    restored,
-    slopes,
-    split_of,
-)
+from screwkit.metrics.nearest_point import Problem, descended, restored
+from screwkit.metrics.smooth import Conditions, several
+from screwkit.metrics.ways_on_motion import Space, followed, ways_from
 
-STARTS: Final = 16
-"""From how many postures the nearest one is looked for."""
+WAYS: Final = 16
+"""Directions of a round."""
+
+ROUNDS: Final = 6
+"""At most so many."""
+
+ROUNDS_OF_NONE: Final = 3
+"""At most so many where the conditions are met nowhere."""
+
+ENOUGH: Final = 3
+"""How often the nearest point has to be met."""
+
+DESCENTS: Final = 6
+"""From how many points of a round the distance descends, the nearest ones, ..."""
+
+OTHERS: Final = 2
+"""... and from how many of the rest."""
 
 CLOSER: Final = 4
-"""Starts in a second round, nearer than what the first has found."""
+"""Starts between the posture and the nearest point that was found so far."""
 
-NEAREST: Final = 0.2
-FARTHEST: Final = 5.0
-"""How far from the posture starts lie, in radians and lengths over the length, along
-the coordinates of the search; joints have many."""
+TRIED: Final = 10
+"""Points of a round that are looked at one by one, nearest first."""
 
-LONG_STRIDE: Final = 0.4
-"""Largest step on the way to a start."""
-
-STRIDE: Final = 0.1
-"""Largest step on the way to a posture."""
-
-LONGEST_WAY: Final = 400
-"""Steps of a way."""
-
-ARRIVED: Final = 1e-5
-"""Distance at which a way has come to its end; its equations may have a double root."""
-
-
-@dataclass(frozen=True, eq=False)
-class Space:
-    """Where the nearest point is looked for.
-
-    Attributes:
-        start: The posture, shape (n,).
-        away: What the distance from it is the norm of.
-        kept: What vanishes on the mechanism's motion.
-        tied: Whether anything has to vanish.
-    """
-
-    start: Array
-    away: Batched
-    kept: Batched
-    tied: bool
-
-    def distance(self, point: Array) -> float:
-        """From the posture to a point."""
-        return float(np.linalg.norm(self.away(point[None])[0]))
+SAME: Final = 1e-6
+"""Difference of coordinates, or of distances, of what counts as met again."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,146 +62,218 @@ class Found:
     connected: bool
 
 
-def starts_of(space: Space, count: int = STARTS) -> list[Array]:
-    """The posture itself and postures on the motion around it."""
-    random = np.random.default_rng(1)
-    found = [space.start]
-    for radius in np.geomspace(NEAREST, FARTHEST, count - 1):
-        way = random.normal(size=len(space.start))
-        if space.tied:
-            found.append(_walked(space, way, float(radius)))
-        else:
-            found.append(space.start + radius * way / np.linalg.norm(way))
-    return found
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """What a search came to.
+
+    Attributes:
+        nearest: None where no point was found.
+        starts: From how many points it began.
+        met: How many of them led to that distance.
+    """
+
+    nearest: Found | None
+    starts: int
+    met: int = 0
 
 
-def _walked(space: Space, way: Array, length: float) -> Array:
-    """Where steps on the motion lead that keep to a direction as far as they can."""
-    point, left = space.start, length
-    while left > 0:
-        along = split_of(slopes(space.kept, point[None])[0])[1]
-        heading = along @ (along.T @ way)
-        size = float(np.linalg.norm(heading))
-        if size < 1e-9:
-            break
-        stride = min(left, LONG_STRIDE)
-        moved = restored(space.kept, point + stride / size * heading, 12)
-        if moved is None:
-            break
-        # The motion may bend: the heading is carried along, not the first direction.
-        way, point = way - heading + (moved - point) * (size / stride), moved
-        left -= stride
-    return point
+class Sample:
+    """Points on ways from the posture, round by round, the same for all conditions."""
+
+    def __init__(self, space: Space) -> None:
+        self.space = space
+        self._rounds: list[Array] = []
+
+    def points(self, number: int) -> Array:
+        """Of a round: shape (ways, steps, n); nan behind the end of a way."""
+        while len(self._rounds) <= number:
+            with np.errstate(all="ignore"):
+                ways = ways_from(self.space, WAYS, 1 + len(self._rounds))
+            self._rounds.append(ways)
+        return self._rounds[number]
+
+    def all(self, number: int = 0) -> Array:
+        """The points of a round that exist, the posture first, shape (count, n)."""
+        points = self.points(number).reshape(-1, len(self.space.start))
+        exist = np.isfinite(points).all(axis=1)
+        return np.concatenate([self.space.start[None], points[exist]])
+
+
+@dataclass
+class _Candidate:
+    """A point of least distance.
+
+    Attributes:
+        begin: A point on the motion that led to it, and to which ways are known;
+            None where none is.
+        counts: Whether it is what is asked for; None before that is known.
+    """
+
+    point: Array
+    distance: float
+    begin: Array | None
+    met: int = 1
+    counts: bool | None = None
+    connected: bool = False
+
+
+@dataclass
+class _Rounds:
+    """A search while it goes on."""
+
+    space: Space
+    counts: Callable[[Array], bool]
+    found: list[_Candidate] = field(default_factory=list)
+    starts: int = 0
+
+    def met(self, point: Array, begin: Array | None) -> None:
+        """Note one more point."""
+        for one in self.found:
+            if np.abs(one.point - point).max(initial=0.0) < SAME:
+                one.met += 1
+                return
+        distance = self.space.distance(point)
+        self.found.append(
+            _Candidate(point, distance, begin, connected=not self.space.tied)
+        )
+
+    def best(self) -> _Candidate | None:
+        """The nearest point that counts; if possible one that a way leads to."""
+        apart: _Candidate | None = None
+        tried = 0
+        for one in sorted(self.found, key=lambda one: one.distance):
+            if one.counts is None:
+                if tried == TRIED:
+                    break
+                tried += 1
+                one.counts = self.counts(one.point)
+                if one.counts and not one.connected:
+                    one.connected = self._reached(one)
+            if one.counts and one.connected:
+                return one
+            if one.counts and apart is None:
+                apart = one
+        return apart
+
+    def _reached(self, one: _Candidate) -> bool:
+        if one.begin is not None and followed(self.space, one.point, one.begin):
+            return True
+        return followed(self.space, one.point)
+
+    def how_often(self, best: _Candidate) -> int:
+        """How many descents ended at that distance."""
+        near = SAME * (1.0 + best.distance)
+        return sum(
+            one.met for one in self.found if abs(one.distance - best.distance) < near
+        )
 
 
 def nearest(
-    space: Space,
-    equations_from: Callable[[Array], Batched],
-    starts: Sequence[Array],
-) -> list[Found]:
-    """The nearest points where equations hold, nearest first, each once.
+    sample: Sample,
+    conditions: Conditions,
+    counts: Callable[[Array], bool],
+    others: Sequence[Array] = (),
+) -> Outcome:
+    """The nearest point where conditions hold.
 
     Args:
-        space: Where.
-        equations_from: What vanishes besides, shape (batch, n) to (batch, k); may be
-            written otherwise from another start.
-        starts: Points to start from.
+        sample: Points on the motion.
+        conditions: What vanishes besides.
+        counts: Whether a point where they do is what is asked for.
+        others: More points to start from.
     """
-    points: list[Array] = []
-
-    def look(start: Array) -> None:
+    space = sample.space
+    parts = [space.kept, conditions] if space.tied else [conditions]
+    problem = Problem(space.away, several(parts))
+    rounds = _Rounds(space, counts)
+    best: _Candidate | None = None
+    for number in range(ROUNDS):
+        known = [*_nearly(sample, number, conditions)]
+        known += others if number == 0 else []
+        starts = known + _closer(space, best, number)
+        rounds.starts += len(starts)
         with np.errstate(all="ignore"):
-            problem = Problem(space.away, on_motion(space, equations_from(start)))
-            point = nearest_from(problem, start)
-        if point is not None and not _known(point, points):
-            points.append(point)
-
-    for start in starts:
-        look(start)
-    for start in _closer(space, points):
-        look(start)
-    points.sort(key=space.distance)
-    return [Found(p, space.distance(p), connected=not space.tied) for p in points]
-
-
-def _closer(space: Space, points: Sequence[Array]) -> list[Array]:
-    """More starts: between the posture and the nearest point that was found so far."""
-    if not points:
-        return []
-    best = min(points, key=space.distance)
-    random = np.random.default_rng(3)
-    found = []
-    for part in np.linspace(0.2, 0.9, CLOSER):
-        way = random.normal(size=len(best))
-        aside = 0.5 * space.distance(best) * way / np.linalg.norm(way)
-        point = space.start + part * (best - space.start) + aside
-        moved = restored(space.kept, point) if space.tied else point
-        if moved is not None:
-            found.append(moved)
-    return found
+            _look(rounds, problem, starts, len(known), number)
+            now = rounds.best()
+        nearer = now is not best and not (
+            now and best and now.distance > best.distance - SAME
+        )
+        best = now
+        if number and best and not nearer and rounds.how_often(best) >= ENOUGH:
+            break
+        if number + 1 == ROUNDS_OF_NONE and not rounds.found:
+            break
+    if best is None:
+        return Outcome(None, rounds.starts)
+    found = Found(best.point, best.distance, best.connected)
+    return Outcome(found, rounds.starts, rounds.how_often(best))
 
 
-def on_motion(space: Space, equations: Batched) -> Batched:
-    """The equations and those of the motion."""
-    if not space.tied:
-        return equations
-    return lambda x: np.concatenate([space.kept(x), equations(x)], axis=-1)
+def _nearly(sample: Sample, number: int, conditions: Conditions) -> Iterator[Array]:
+    """On each way of a round the points where the conditions nearly hold.
 
-
-def _known(point: Array, points: Sequence[Array]) -> bool:
-    return any(np.abs(point - other).max(initial=0.0) < 1e-6 for other in points)
-
-
-def nearest_connected(space: Space, found: Sequence[Found]) -> Found | None:
-    """The nearest point to which a way leads; the nearest of all where none does."""
-    for one in found:
-        if one.connected or followed(space, one.point):
-            return Found(one.point, one.distance, connected=True)
-    return found[0] if found else None
-
-
-def followed(space: Space, goal: Array) -> bool:
-    """Whether steps on the motion lead from the posture to a point.
-
-    A motion of one freedom is followed both ways round, others towards the goal.
+    Those where the miss is less than before and behind, the ends of ways included.
     """
-    return any(_followed(space, goal, sign) for sign in (1.0, -1.0))
+    ways = sample.points(number)
+    count, steps, n = ways.shape
+    flat = ways.reshape(-1, n)
+    exist = np.isfinite(flat).all(axis=1)
+    sizes = np.full(len(flat), np.inf)
+    if exist.any():
+        points = flat[exist]
+        with np.errstate(all="ignore"):
+            misses = conditions.around(points).values(points)
+        size = np.linalg.norm(misses, axis=1)
+        sizes[exist] = np.where(np.isfinite(size), size, np.inf)
+    sizes = np.pad(
+        sizes.reshape(count, steps), ((0, 0), (1, 1)), constant_values=np.inf
+    )
+    here, before, behind = sizes[:, 1:-1], sizes[:, :-2], sizes[:, 2:]
+    least = np.isfinite(here) & (here <= before) & (here <= behind)
+    yield from ways[least]
 
 
-def _followed(space: Space, goal: Array, sign: float) -> bool:
-    point, heading = space.start, None
-    for _ in range(LONGEST_WAY):
-        left = goal - point
-        if np.abs(left).max() < ARRIVED:
-            return True
-        along = split_of(slopes(space.kept, point[None])[0])[1]
-        if not along.shape[1]:
-            return False
-        step = along @ (along.T @ left)
-        close = np.linalg.norm(left) < STRIDE
-        if along.shape[1] == 1 and not close:
-            turn = along[:, 0]
-            ahead = sign * left if heading is None else heading
-            step = turn * (STRIDE if turn @ ahead >= 0 else -STRIDE)
-        elif sign < 0:
-            return False
-        size = float(np.linalg.norm(step))
-        if size < ARRIVED / 10:
-            return False
-        moved = _moved(space, point, step * min(1.0, STRIDE / size))
-        if moved is None:
-            return False
-        heading, point = moved - point, moved
-    return False
+def _look(
+    rounds: _Rounds,
+    problem: Problem,
+    starts: Sequence[Array],
+    known: int,
+    number: int,
+) -> None:
+    """Bring starts to the conditions, and descend from the nearest that arrive.
+
+    Args:
+        rounds: Told what was found.
+        problem: What is least where.
+        starts: Points.
+        known: To how many of them, the first, ways are known.
+        number: Of the round.
+    """
+    if not starts:
+        return
+    begun = np.array(starts)
+    points = restored(problem.equations, begun)
+    far = problem.distances(points)
+    order = [int(i) for i in np.argsort(far) if np.isfinite(far[i])]
+    random = np.random.default_rng(number)
+    rest = order[DESCENTS:]
+    chosen = order[:DESCENTS] + [int(i) for i in random.permutation(rest)[:OTHERS]]
+    ends = descended(problem, points[chosen])
+    for i, end in zip(chosen, ends, strict=True):
+        if np.isfinite(end).all():
+            rounds.met(end, begun[i] if i < known else None)
 
 
-def _moved(space: Space, point: Array, step: Array) -> Array | None:
-    """One step on the motion, shorter where the way bends."""
-    for _ in range(6):
-        moved = restored(space.kept, point + step, 12)
-        if moved is not None:
-            change = np.linalg.norm(moved - point - step)
-            if change <= 0.5 * np.linalg.norm(step):
-                return moved
-        step = step / 2
-    return None
+def _closer(space: Space, best: _Candidate | None, number: int) -> list[Array]:
+    """Starts between the posture and the nearest point that was found so far."""
+    if best is None:
+        return []
+    random = np.random.default_rng(100 + number)
+    ways = random.normal(size=(CLOSER, len(best.point)))
+    ways /= np.linalg.norm(ways, axis=1, keepdims=True)
+    parts = np.linspace(0.2, 0.9, CLOSER)[:, None]
+    points = space.start + parts * (best.point - space.start)
+    points += 0.5 * best.distance * ways
+    if space.tied:
+        points = restored(space.kept, points)
+    return [*points[np.isfinite(points).all(axis=1)]]

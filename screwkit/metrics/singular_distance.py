@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -16,20 +16,29 @@ from screwkit.finite.spanning_forest import forest_of
 from screwkit.kinematics.loops import ring_at
 from screwkit.mechanism.model import Mechanism
 from screwkit.metrics.joint_space import JointSpace
-from screwkit.metrics.motion_chart import MotionChart, unit_rows
-from screwkit.metrics.nearest_point import Batched, restored, slopes
-from screwkit.metrics.nearest_search import (
-    Found,
-    Space,
-    nearest,
-    nearest_connected,
-    on_motion,
-    starts_of,
+from screwkit.metrics.limited import LimitedScrews, Limits, no_limits
+from screwkit.metrics.motion_chart import MotionChart
+from screwkit.metrics.nearest_point import restored
+from screwkit.metrics.nearest_search import Outcome, Sample, nearest
+from screwkit.metrics.rank_conditions import (
+    DifferencedScrews,
+    FallenRank,
+    ScrewField,
+    ScrewMatrices,
+    rank_at,
 )
-from screwkit.metrics.rank_conditions import ScrewField, fallen, rank_at
+from screwkit.metrics.smooth import (
+    Batched,
+    Conditions,
+    Smooth,
+    by_differences,
+    scaled,
+    several,
+)
+from screwkit.metrics.ways_on_motion import Space
 
-FEWER = 9
-"""Starts where matrices of many freedoms are bordered at every step."""
+SPARSE = 8
+"""Every so many of the postures is looked at where all are asked about."""
 
 BESIDE = 4
 STEP = 1e-2
@@ -54,12 +63,29 @@ class Nearest:
     model: PostureModel
 
 
+@dataclass(frozen=True, eq=False)
+class Looked:
+    """What came of a search.
+
+    Attributes:
+        nearest: None where no posture was found.
+        starts: From how many postures it began; 1 where the posture itself is one.
+        met: How many of them led to that distance.
+        rank: Of the matrix concerned in general; 0 where equations were met.
+    """
+
+    nearest: Nearest | None
+    starts: int
+    met: int
+    rank: int = 0
+
+
 class Search:
     """Looks for singular postures around one posture.
 
     Attributes:
-        space: Where.
-        starts: Postures on the motion from which it looks, that posture first.
+        space: Where, in coordinates that keep to the limits.
+        postures: Some on the motion, that posture first, shape (count, n).
     """
 
     def __init__(
@@ -68,75 +94,84 @@ class Search:
         field: ScrewField,
         model_at: Callable[[Array], PostureModel],
         units: Array,
-        starts: Sequence[Array],
+        limits: Limits,
     ) -> None:
-        self.space, self.starts = space, list(starts)
-        self._field, self._model_at, self._units = field, model_at, units
+        own = limits.coordinates(space.start)
+        self.space = Space(
+            own, limits.of(space.away), limits.of(space.kept), space.tied
+        )
+        screws = LimitedScrews(field.screws, limits)
+        self._field = ScrewField(field.labels, screws, field.forest)
+        self._model_at, self._units, self._limits = model_at, units, limits
+        self._sample = Sample(self.space)
+        self._others: list[Array] = []
+        self.postures = self._existing(self._sample.all())
 
-    def on(
-        self, equations: Batched, counts: Callable[[PostureModel], bool]
-    ) -> Nearest | None:
+    def _existing(self, points: Array) -> Array:
+        with np.errstate(all="ignore"):
+            screws = self._field.screws.values(points)
+        return points[np.isfinite(screws).all(axis=(1, 2))]
+
+    def on(self, equations: Batched, counts: Callable[[PostureModel], bool]) -> Looked:
         """The nearest posture where equations hold.
 
         Args:
-            equations: What vanishes.
+            equations: What vanishes, of points of the coordinates without limits.
             counts: Whether a posture where they do is singular.
         """
-        scale = _scale(equations, self.starts)
-        own: Batched = lambda points: equations(points) / scale  # noqa: E731
-        here = np.abs(own(self.space.start[None])).max(initial=0.0)
-        if here < NOTHING:
-            found = [Found(self.space.start, 0.0, connected=True)]
-        else:
-            found = nearest(self.space, lambda start: own, self.starts)
-        kept = [
-            one
-            for one in found
-            if self._counts(one.point, counts)
-            or self._counts_beside(one.point, own, counts)
-        ]
-        return self._shown(nearest_connected(self.space, kept))
+        plain = self._limits.of(by_differences(equations))
+        own = scaled(plain, _scale(plain, self.postures))
+        here = np.abs(own.values(self.space.start[None])).max(initial=0.0)
+        if here < NOTHING and self._counts_near(self.space.start, own, counts):
+            return self._here()
+        return self._looked(own, lambda x: self._counts_near(x, own, counts))
 
     def _counts(self, point: Array, counts: Callable[[PostureModel], bool]) -> bool:
         """Whether a posture counts; none does where an axis has no direction."""
         try:
             with np.errstate(all="ignore"):
-                model = self._model_at(point)
+                model = self._model_at(self._limits.within(point))
         except UndecidedError:
             return False
         return counts(model)
 
-    def _counts_beside(
-        self, point: Array, equations: Batched, counts: Callable[[PostureModel], bool]
+    def _counts_near(
+        self, point: Array, equations: Smooth, counts: Callable[[PostureModel], bool]
     ) -> bool:
-        """Whether postures with these equations count that are next to one.
+        """Whether a posture counts, or postures with these equations next to it.
 
         Where another singularity meets a component, the rank may be what it is in
         general, and yet be less beside it.
         """
+        if self._counts(point, counts):
+            return True
         random = np.random.default_rng(2)
-        together = on_motion(self.space, equations)
-        for _ in range(BESIDE):
-            step = random.normal(size=len(point))
-            beside = restored(together, point + STEP * step / np.linalg.norm(step))
-            if beside is not None and self._counts(beside, counts):
-                return True
-        return False
+        steps = random.normal(size=(BESIDE, len(point)))
+        steps *= STEP / np.linalg.norm(steps, axis=1, keepdims=True)
+        beside = restored(self._on_motion(equations), point + steps)
+        exist = np.isfinite(beside).all(axis=1)
+        return any(self._counts(one, counts) for one in beside[exist])
+
+    def _on_motion(self, equations: Conditions) -> Conditions:
+        parts = [self.space.kept, equations] if self.space.tied else [equations]
+        return several(parts)
 
     def everywhere(self, counts: Callable[[PostureModel], bool]) -> bool:
-        """Whether all postures that were started from count."""
-        others = self.starts[1:] or self.starts
+        """Whether all of some postures on the motion count."""
+        others = self.postures[1:][::SPARSE]
+        if not len(others):
+            others = self.postures
         return all(self._counts(point, counts) for point in others)
 
     def where_limb_falls(
         self, labels: Sequence[str], counts: Callable[[PostureModel], bool]
-    ) -> tuple[int, Nearest | None]:
+    ) -> Looked:
         """The rank of a limb in general, and the nearest posture where it is less."""
         return self._where_falls(self._field.of_limb(labels), counts)
 
     def where_loops_fall(
         self, locked: Sequence[str], counts: Callable[[PostureModel], bool]
-    ) -> tuple[int, Nearest | None]:
+    ) -> Looked:
         """The same of J_c, without the columns of locked freedoms.
 
         Args:
@@ -146,48 +181,65 @@ class Search:
         return self._where_falls(self._field.of_loops(locked), counts)
 
     def _where_falls(
-        self, matrix: Batched, counts: Callable[[PostureModel], bool]
-    ) -> tuple[int, Nearest | None]:
-        rank = rank_at(matrix, self.starts)
+        self, matrices: ScrewMatrices, counts: Callable[[PostureModel], bool]
+    ) -> Looked:
+        rank = rank_at(matrices, self.postures)
         if not rank:
-            return 0, None
-        if rank_at(matrix, self.starts[:1]) < rank:
-            here = self._shown(Found(self.space.start, 0.0, connected=True))
-            if here is not None and counts(here.model):
-                return rank, here
-        found = nearest(
-            self.space, lambda start: fallen(matrix, rank, start), self.starts
+            return Looked(None, len(self.postures), 0)
+        start = self.space.start
+        fallen = rank_at(matrices, start[None]) < rank
+        if fallen and self._counts(start, counts):
+            return replace(self._here(), rank=rank)
+        found = self._looked(
+            FallenRank(matrices, rank), lambda point: self._counts(point, counts)
         )
-        return rank, self._shown(self._connected(found, counts))
+        return replace(found, rank=rank)
 
-    def _connected(
-        self, found: Sequence[Found], counts: Callable[[PostureModel], bool]
-    ) -> Found | None:
-        kept = [one for one in found if counts(self._model_at(one.point))]
-        return nearest_connected(self.space, kept)
+    def _here(self) -> Looked:
+        return Looked(self._shown(self.space.start, 0.0, connected=True), 1, 1)
 
-    def _shown(self, found: Found | None) -> Nearest | None:
-        if found is None:
-            return None
-        values = tuple(float(x) for x in found.point * self._units)
-        model = self._model_at(found.point)
-        return Nearest(found.distance, values, found.connected, model)
+    def _looked(
+        self, conditions: Conditions, counts: Callable[[Array], bool]
+    ) -> Looked:
+        found: Outcome = nearest(self._sample, conditions, counts, self._others)
+        if found.nearest is None:
+            return Looked(None, found.starts, 0)
+        point, distance = found.nearest.point, found.nearest.distance
+        # What is singular in one way is often near to what is in another.
+        self._others.append(point)
+        shown = self._shown(point, distance, connected=found.nearest.connected)
+        return Looked(shown, found.starts, found.met)
+
+    def _shown(self, point: Array, distance: float, *, connected: bool) -> Nearest:
+        own = self._limits.within(point)
+        values = tuple(float(x) for x in own * self._units)
+        return Nearest(distance, values, connected, self._model_at(own))
 
 
-def _scale(equations: Batched, starts: Sequence[Array]) -> Array:
+def _scale(equations: Smooth, points: Array) -> Array:
     """The usual size of each equation's slope, so that a miss is a distance."""
     with np.errstate(all="ignore"):
-        sizes = np.linalg.norm(slopes(equations, np.array(starts)), axis=2)
+        sizes = np.linalg.norm(equations.slopes(points), axis=2)
     sizes = np.where(np.isfinite(sizes), sizes, np.nan)
     exist = np.isfinite(sizes).any(axis=0)
     middle = np.nanmedian(np.where(exist, sizes, 1.0), axis=0)
     return np.asarray(np.where(middle > 0, middle, 1.0))
 
 
-def chart_search(chart: MotionChart) -> Search:
-    """The search in the symbols of a file."""
+def chart_search(chart: MotionChart, limits: Limits | None = None) -> Search:
+    """The search in the symbols of a file.
+
+    Args:
+        chart: Of the mechanism.
+        limits: Of its coordinates.
+    """
     names, mechanism = chart.names, chart.mechanism
-    space = Space(chart.start, chart.away, chart.kept, chart.bodies is not None)
+    space = Space(
+        chart.start,
+        by_differences(chart.away),
+        by_differences(chart.kept),
+        chart.bodies is not None,
+    )
 
     def model_at(point: Array) -> PostureModel:
         values = point * chart.units
@@ -196,15 +248,12 @@ def chart_search(chart: MotionChart) -> Search:
     first = model_at(chart.start)
 
     def screws(points: Array) -> Array:
-        rows = unit_rows(mechanism, chart.values(points), chart.length)
+        rows = chart.rows(points)
         return np.stack([rows[label] for label in first.labels], axis=1)
 
-    field = ScrewField(first.labels, screws, forest_of(first))
-    starts = starts_of(space)
-    with np.errstate(all="ignore"):
-        exist = np.isfinite(screws(np.array(starts))).all(axis=(1, 2))
-    starts = [starts[i] for i in np.flatnonzero(exist)]
-    return Search(space, field, model_at, chart.units, starts)
+    field = ScrewField(first.labels, DifferencedScrews(screws), forest_of(first))
+    free = no_limits(len(names))
+    return Search(space, field, model_at, chart.units, limits or free)
 
 
 def nearest_at(
@@ -219,14 +268,19 @@ def nearest_at(
     )
 
 
-def joint_search(space: JointSpace) -> Search:
-    """The search in the coordinates of all joints."""
+def joint_search(space: JointSpace, limits: Limits | None = None) -> Search:
+    """The search in the coordinates of all joints.
+
+    Args:
+        space: Where.
+        limits: Of the coordinates, which count from the posture.
+    """
     count = len(space.model.labels)
     around = Space(np.zeros(count), space.away, space.kept, tied=True)
-    slides = np.linalg.norm(space.model.screws[:, :3], axis=1) < 0.5
-    units = np.where(slides, space.length, 1.0)
     field = ScrewField(space.model.labels, space.screws, space.forest)
-    return Search(around, field, space.model_at, units, starts_of(around, FEWER))
+    return Search(
+        around, field, space.model_at, space.units, limits or no_limits(count)
+    )
 
 
 def equations_on(

@@ -19,8 +19,9 @@ from screwkit.finite.spanning_forest import Forest, forest_of
 from screwkit.mechanism.joints import freedom_labels
 from screwkit.mechanism.model import JointType
 from screwkit.metrics.motion_chart import MotionChart, unit_rows
-from screwkit.metrics.nearest_point import NUDGE, slopes, split_of
+from screwkit.metrics.nearest_point import split_of
 from screwkit.metrics.rigid_bodies import centre
+from screwkit.metrics.smooth import NUDGE, slopes
 from screwkit.metrics.spans import split
 
 CARRIED = 1e-6

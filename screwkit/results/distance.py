@@ -73,6 +73,7 @@ class SingularityDistance:
         starts: From how many postures the nearest was looked for; 0 where it is exact.
         by_freedoms: Whether ``values`` are of the freedoms and not of the variables.
         reason: Why there is no posture, or what is not clear about it.
+        met: How many of these led to the distance; 0 where it is exact or none.
     """
 
     kind: str
@@ -84,6 +85,7 @@ class SingularityDistance:
     starts: int
     by_freedoms: bool = False
     reason: str = ""
+    met: int = 0
 
 
 @dataclass(frozen=True, repr=False)

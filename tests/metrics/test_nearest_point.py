@@ -11,9 +11,10 @@ import screwkit as sk
 from screwkit.algebra.batch import Array
 from screwkit.metrics.motion_chart import motion_chart
 from screwkit.metrics.nearest_point import Problem, nearest_from, restored
-from screwkit.metrics.nearest_search import Space, followed
-from screwkit.metrics.rank_conditions import fallen, rank_at
+from screwkit.metrics.rank_conditions import DifferencedMatrices, FallenRank, rank_at
+from screwkit.metrics.smooth import Batched, Conditions, by_differences
 from screwkit.metrics.symbol_motion import symbol_motion
+from screwkit.metrics.ways_on_motion import Space, followed
 
 FLAT = 1e-6
 """A slope of 1e-7 ends a descent: the point is known so well, its distance better."""
@@ -23,6 +24,12 @@ def columns(*parts: Array) -> Array:
     return np.stack(parts, axis=-1)
 
 
+def found_from(residual: Batched, equations: Conditions, *starts: list[float]) -> Array:
+    """Where descents from starts end, one row each."""
+    problem = Problem(by_differences(residual), equations)
+    return nearest_from(problem, np.array(starts))
+
+
 def test_the_foot_on_a_line_that_is_given_three_times() -> None:
     """From the origin to x + y = 2: (1, 1)."""
 
@@ -30,8 +37,7 @@ def test_the_foot_on_a_line_that_is_given_three_times() -> None:
         miss = points[:, 0] + points[:, 1] - 2
         return columns(miss, 3 * miss, -miss)
 
-    found = nearest_from(Problem(lambda x: x, line), np.array([5.0, -1.0]))
-    assert found is not None
+    (found,) = found_from(lambda x: x, by_differences(line), [5.0, -1.0])
     assert found == pytest.approx([1, 1], abs=FLAT)
 
 
@@ -41,10 +47,9 @@ def test_the_near_side_of_an_ellipse_and_not_the_far_end() -> None:
     def ellipse(points: Array) -> Array:
         return columns(points[:, 0] ** 2 / 4 + points[:, 1] ** 2 - 1)
 
-    problem = Problem(lambda x: x - np.array([0.5, 0.0]), ellipse)
-    for start in ([0.5, 0.3], [-1.0, 2.0], [1.0, 0.1]):
-        found = nearest_from(problem, np.array(start))
-        assert found is not None
+    starts = [0.5, 0.3], [-1.0, 2.0], [1.0, 0.1]
+    away = lambda x: x - np.array([0.5, 0.0])  # noqa: E731
+    for found in found_from(away, by_differences(ellipse), *starts):
         assert np.abs(found) == pytest.approx([2 / 3, sqrt(8 / 9)], abs=FLAT)
 
 
@@ -52,7 +57,8 @@ def test_equations_without_a_common_zero_give_nothing() -> None:
     circle_and_line = lambda x: columns(  # noqa: E731
         x[:, 0] ** 2 + x[:, 1] ** 2 - 1, x[:, 0] - 2
     )
-    assert restored(circle_and_line, np.array([1.0, 1.0])) is None
+    found = restored(by_differences(circle_and_line), np.array([[1.0, 1.0]]))
+    assert np.isnan(found).all()
 
 
 def symmetric(points: Array) -> Array:
@@ -64,11 +70,29 @@ def symmetric(points: Array) -> Array:
 def test_a_bordered_matrix_says_where_the_rank_falls() -> None:
     """From (2, 1) the line x = y is nearest, at (3/2, 3/2)."""
     here = np.array([2.0, 1.0])
-    assert rank_at(symmetric, [here, np.array([1.0, 1.0])]) == 2
-    problem = Problem(lambda x: x - here, fallen(symmetric, 2, here))
-    found = nearest_from(problem, here)
-    assert found is not None
+    matrices = DifferencedMatrices(symmetric)
+    assert rank_at(matrices, np.array([here, [1.0, 1.0]])) == 2
+    (found,) = found_from(lambda x: x - here, FallenRank(matrices, 2), [*here])
     assert found == pytest.approx([1.5, 1.5], abs=FLAT)
+
+
+def turning(points: Array) -> Array:
+    """The distance from (1, 1) times a rotation by how far to go: 0 there alone."""
+    x, y = (points - 1).T
+    return columns(columns(x, y), columns(-y, x))
+
+
+def test_a_rank_that_falls_by_two_at_once() -> None:
+    """Both singular values are the distance from (1, 1): no curve of rank 1."""
+    fallen = FallenRank(DifferencedMatrices(turning), 2)
+    for found in found_from(lambda x: x, fallen, [3.0, -1.0], [0.2, 0.1]):
+        assert found == pytest.approx([1, 1], abs=FLAT)
+
+
+def test_a_far_start_is_not_given_up() -> None:
+    """Steps are cut to 1/2, so that the miss of 20 takes forty of them."""
+    far = by_differences(lambda x: x[:, :1] - 12)
+    assert restored(far, np.array([[0.0, 1.0]]), 40)[0] == pytest.approx([12, 1])
 
 
 def test_a_way_round_a_circle_and_none_to_another() -> None:
@@ -79,7 +103,8 @@ def test_a_way_round_a_circle_and_none_to_another() -> None:
         one, two = x**2 + y**2 - 1, (x - 4) ** 2 + y**2 - 1
         return columns(one * two / 10)
 
-    space = Space(np.array([1.0, 0.0]), lambda x: x, circle, tied=True)
+    away, kept = by_differences(lambda x: x), by_differences(circle)
+    space = Space(np.array([1.0, 0.0]), away, kept, tied=True)
     assert followed(space, np.array([-1.0, 0.0]))
     assert followed(space, np.array([-0.6, -0.8]))
     assert not followed(space, np.array([3.0, 0.0]))
