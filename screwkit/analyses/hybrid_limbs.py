@@ -9,9 +9,12 @@ References: [Zlatanov2002], [Hunt1978] §13.
 
 from __future__ import annotations
 
+from functools import partial
+
 from screwkit.algebra.branches import Branch
 from screwkit.analyses.limb_component import limb_component
 from screwkit.kinematics.assembly import Assembly, LimbChain
+from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.kinematics.told_parts import own_parts
 from screwkit.loci.exact_equations import Singularity, with_exact_equations
 from screwkit.loci.hybrid_strata import HybridStrata, generic_motion, hybrid_strata
@@ -49,7 +52,9 @@ def hybrid_limb(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
 
     exact = with_exact_equations(
         [piece for piece, _ in strata.narrow],
-        Singularity(root, [parts, ()], height, is_singular, library),
+        Singularity(
+            root, partial(loop_columns, [parts, ()], height), is_singular, library
+        ),
     )
     dimensions = [dimension for _, dimension in strata.narrow]
     components = tuple(

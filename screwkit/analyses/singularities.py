@@ -6,6 +6,7 @@ References: [LongCaroKhalil2012] §5, [Zlatanov2002].
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 from screwkit.algebra.branches import Branch
@@ -19,6 +20,7 @@ from screwkit.analyses.limb_component import limb_component
 from screwkit.analyses.superbracket import superbracket
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.limb_parts import Parts
+from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.kinematics.loop_state import LoopState
 from screwkit.kinematics.told_parts import told_parts
 from screwkit.loci.actuation import actuation_locus
@@ -246,7 +248,8 @@ def _exact(
 
     height = height_of(limbs)
     return with_exact_equations(
-        pieces, Singularity(root, limbs, height, holds_on, library)
+        pieces,
+        Singularity(root, partial(loop_columns, limbs, height), holds_on, library),
     )
 
 

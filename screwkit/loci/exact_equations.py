@@ -28,8 +28,6 @@ from screwkit.algebra.points import Point, rank_at, residue
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.errors import TooLargeError
-from screwkit.kinematics.limb_parts import Parts
-from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.loci.pieces import Piece
 
 _BUDGET = 120  # case distinctions for the zeros of one piece's equations
@@ -42,29 +40,25 @@ _PRODUCTS = 20_000  # of terms, in the expansion of a minor by one more column
 class Singularity:
     """What makes a posture singular.
 
-    Wherever it is, the loop equations of ``limbs`` must have less than their generic
-    rank: so they do where limbs lose twists, loops lose constraints, or a locked
-    platform moves, since what stays idle beside that never becomes less.
-
     Attributes:
         root: The whole configuration space.
-        limbs: Side by side between base and platform; one limb and an empty one for
-            the twists of the first.
-        height: Coordinates of a twist.
+        equations: Columns of loop equations, one for each freedom.  Wherever it is
+            singular they have less than their generic rank: so they do where limbs lose
+            twists, loops lose constraints, or a locked platform moves, since what stays
+            idle beside that never becomes less.
         holds_on: Whether it is so in general on a branch with exact points.
         library: Factors met before.
     """
 
     root: Branch
-    limbs: Sequence[Parts]
-    height: int
+    equations: Callable[[], list[list[Polynomial]]]
     holds_on: Callable[[Branch], bool]
     library: FactorLibrary
 
     @cached_property
     def columns(self) -> list[list[Polynomial]]:
-        """Of the loop equations, those inside limbs too."""
-        return loop_columns(self.limbs, self.height)
+        """Of the loop equations, made when they are asked for."""
+        return self.equations()
 
     @cached_property
     def rank(self) -> int:

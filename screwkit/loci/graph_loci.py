@@ -13,13 +13,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.names import counted
 from screwkit.algebra.points import Point
 from screwkit.algebra.search import Search
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.kinematics.whole_graph import GraphState, Row, WholeGraph, state_of
-from screwkit.loci.loose_equations import about_loose, loose
+from screwkit.loci.exact_equations import Singularity, with_exact_equations
 from screwkit.loci.matrix_drop import MatrixZeros, RankAt, matrix_zeros
 from screwkit.loci.pieces import Piece, lies_in, pieces_of, without_contained
 
@@ -125,14 +127,22 @@ def _searched(
     finds = without_contained(finds)
     outer = [p for p in without_contained(others) if not _lies_in_any(p, finds)]
     depths = _open_depths(everything, finds)
-    unclear = loose(graph.root, finds, is_find, graph.library)
-    reasons = [_why_open(everything, depths), about_loose(len(unclear))]
+    singular = Singularity(
+        graph.root, partial(_columns, rows, graph.root.ring), is_find, graph.library
+    )
+    exact = with_exact_equations(finds, singular)
+    reasons = [_why_open(everything, depths), exact.reason]
     return GraphLocus(
-        tuple(finds),
+        exact.pieces,
         tuple(outer),
         "; ".join(filter(None, reasons)),
         min(depths, default=2) > 1,
     )
+
+
+def _columns(rows: Sequence[Row], ring: TrigonometricRing) -> list[list[Polynomial]]:
+    width = 1 + max((place for row in rows for place in row), default=-1)
+    return [[row.get(place, ring.zero) for row in rows] for place in range(width)]
 
 
 def _same(one: Piece, other: Piece) -> bool:

@@ -9,11 +9,13 @@ which more of its joints move.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.search import Search
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.limb_parts import Parts
+from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.kinematics.loop_state import LoopState
 from screwkit.kinematics.told_parts import told_parts
 from screwkit.loci.actuation_locus import ActuationLocus
@@ -49,7 +51,8 @@ def hybrid_actuation_locus(
         return state is not None and state.platform_freedom > 0
 
     exact = with_exact_equations(
-        drop.pieces, Singularity(root, limbs, height, is_singular, library)
+        drop.pieces,
+        Singularity(root, partial(loop_columns, limbs, height), is_singular, library),
     )
     pieces = (*exact.pieces, *idle)
     return ActuationLocus(
