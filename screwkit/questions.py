@@ -173,6 +173,14 @@ def singularities(
         from screwkit.sliced import sliced_singularities  # noqa: PLC0415
 
         return sliced_singularities(case, slices, Path(output), singularities)
+    if case.network.tied and not case.wanted and not certificate and not strata:
+        from screwkit.analyses.tied_branch import tied_graph  # noqa: PLC0415
+        from screwkit.analyses.tied_singularities import (  # noqa: PLC0415
+            tied_singularities,
+        )
+
+        tied = tied_graph(case.network)
+        return tied_singularities(tied, progress=progress, finished=finished)
     _need_exact_posture(case)
     if certificate and (case.graph is not None or case.assembly.has_blocks):
         raise UndecidedError(
@@ -269,9 +277,15 @@ def schemes(
     from screwkit.analyses import schemes as analysis  # noqa: PLC0415
 
     case.need_held_platform()
-    _need_exact_posture(case)
+    graph = case.graph
+    if case.network.tied and not case.wanted:
+        from screwkit.analyses.tied_branch import tied_graph  # noqa: PLC0415
+
+        graph = tied_graph(case.network)
+    else:
+        _need_exact_posture(case)
     terms = analysis.WORK if work is None else work
-    if case.graph is not None:
+    if graph is not None:
         if rank or add:
             raise UndecidedError(
                 "schemes are ranked, and actuators added, where the limbs are chains "
@@ -280,11 +294,11 @@ def schemes(
             )
         from screwkit.analyses.graph_schemes import graph_schemes  # noqa: PLC0415
 
-        graph = case.graph
         answer = graph_schemes(
             graph, size, candidates, balanced, progress, terms, finished
         )
-        return replace(answer, one_posture=not case.network.has_symbols)
+        free = case.network.has_symbols or bool(case.network.tied)
+        return replace(answer, one_posture=not free)
     answer = analysis.schemes(
         case.assembly,
         size,

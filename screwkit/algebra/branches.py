@@ -171,7 +171,7 @@ class Branch:
     def point(self, source: random.Random) -> tuple[Point, int] | None:
         """A random exact point of the branch and its prime; None if none was found."""
         for _ in range(60):
-            prime = _prime(source)
+            prime = random_branch_prime(source)
             point = self._attempt(source, prime)
             if point is not None:
                 return point, prime
@@ -237,7 +237,8 @@ class Branch:
         return found
 
 
-def _prime(source: random.Random) -> int:
+def random_branch_prime(source: random.Random) -> int:
+    """One of the primes in which points of branches are drawn."""
     return source.choice(_primes())
 
 

@@ -17,11 +17,15 @@ from math import comb
 from typing import Any
 
 from screwkit.algebra.names import counted
+from screwkit.algebra.polynomial_text import equation_text
+from screwkit.algebra.trigonometric import primitive
 from screwkit.errors import TooLargeError, UnknownNameError
+from screwkit.kinematics.tied_graph import TiedGraph
 from screwkit.kinematics.whole_graph import GraphState, LockedRanks, WholeGraph
 from screwkit.loci.graph_loci import actuation_locus
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece
+from screwkit.loci.tied_loci import tied_actuation_locus
 from screwkit.loci.wording import equations_of
 from screwkit.progress import Progress, silent
 from screwkit.results.schemes import Balanced, LocusFactor, Refusal, Scheme, Schemes
@@ -49,7 +53,10 @@ class _Loci:
         if self.left <= 0:
             return replace(scheme, undecided=True)
         self.left -= PER_LOCUS
-        found = actuation_locus(self.graph, scheme.actuated)
+        if isinstance(self.graph, TiedGraph):
+            found = tied_actuation_locus(self.graph, scheme.actuated)
+        else:
+            found = actuation_locus(self.graph, scheme.actuated)
         moving = self._taken(found.pieces)
         idle = self._taken(found.others)
         texts = sorted([*moving, *idle], key=lambda text: (len(text), text))
@@ -68,15 +75,15 @@ class _Loci:
         texts = []
         for piece in pieces:
             if piece.codimension == 1:
-                text = equations_of(piece)[0]
+                text = _as_one(piece)
                 self.pieces.setdefault(text, piece)
                 texts.append(text)
         return texts
 
     def factors(self) -> tuple[LocusFactor, ...]:
         """All equations with their meanings, the commonest first."""
-        few = len(self.graph.framed.joints) <= _NAMED
         graph = self.graph
+        few = len(graph.framed.joints) <= _NAMED and not isinstance(graph, TiedGraph)
         meanings = Meanings(graph.framed, graph.root, graph.library) if few else None
         return tuple(
             LocusFactor(
@@ -98,7 +105,7 @@ def graph_schemes(
     work: int = 1_000_000,
     finished: Callable[[str, Any], None] = lambda name, part: None,
 ) -> Schemes:
-    """Answer ``schemes`` for any joint graph whose loops close by construction.
+    """Answer ``schemes`` for any joint graph.
 
     Args:
         graph: The mechanism.
@@ -130,7 +137,7 @@ def graph_schemes(
             f"{LARGEST}; name fewer with --candidates"
         )
     progress("schemes", f"{total} schemes of {number} joints")
-    ranks = [LockedRanks(found) for found in graph.network.motions]
+    ranks = [LockedRanks(found) for found in graph.generic_motions]
     listed = [
         _scheme(graph, actuated, ranks)
         for actuated in combinations(chosen, number)
@@ -150,6 +157,15 @@ def graph_schemes(
         complete=not any(scheme.undecided for scheme in done),
         reason=_open(done, loci),
     )
+
+
+def _as_one(piece: Piece) -> str:
+    """One equation that says what those of the piece say together."""
+    if len(piece.equations) == 1:
+        return equations_of(piece)[0]
+    ring = piece.branches[0].ring
+    squares = sum((e * e for e in piece.equations), ring.zero)
+    return equation_text(ring, primitive(ring.normal(squares)))
 
 
 def _candidates(graph: WholeGraph, names: Sequence[str] | None) -> tuple[str, ...]:

@@ -180,6 +180,11 @@ class WholeGraph:
         return max(found, key=lambda state: state.loop)
 
     @cached_property
+    def generic_motions(self) -> tuple[Motion, ...]:
+        """The joint rates that close all loops, at random exact postures."""
+        return self.network.motions
+
+    @cached_property
     def limbs(self) -> tuple[WholeGraph, ...]:
         """The limbs, each as a mechanism of its own."""
         ends = self.mechanism.base, self.mechanism.platform

@@ -1,0 +1,237 @@
+"""Singularities of mechanisms whose loops tie joint variables together.
+
+Conditions are stated in joint variables and hold at closed postures; where they can be
+written in the driven variables alone, these are given beside them.
+
+References: [LongCaroKhalil2012] §5, [Zlatanov2002].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from screwkit.algebra.names import counted
+from screwkit.algebra.points_on import Unknown
+from screwkit.algebra.polynomial_text import equation_text
+from screwkit.algebra.solve import solutions
+from screwkit.analyses.assumed import assumptions_in_words, unsplit
+from screwkit.analyses.tied_branch import rank_in_the_file
+from screwkit.kinematics.tied_graph import TiedGraph
+from screwkit.kinematics.whole_graph import GraphState
+from screwkit.loci.tied_loci import TiedLocus, TiedPiece, columns_locus, loop_locus
+from screwkit.loci.wording import all_solutions, equations_of, solved_equations
+from screwkit.progress import Progress, silent
+from screwkit.results.singularities import (
+    ActuationSingularities,
+    Component,
+    ConstraintSingularities,
+    LimbSingularities,
+    Singularities,
+)
+
+_LONG = 160  # characters of a condition that is written into a sentence
+
+
+def tied_singularities(
+    graph: TiedGraph,
+    actuated: Sequence[str] | None = None,
+    progress: Progress = silent,
+    finished: Callable[[str, Any], None] = lambda name, part: None,
+) -> Singularities:
+    """Answer ``singularities`` at closed postures.
+
+    Args:
+        graph: The mechanism.
+        actuated: Freedoms; the declared ones by default.
+        progress: Told about each stage.
+        finished: Given each part as soon as it is there, by name.
+
+    Raises:
+        UndecidedError: If no exact closed posture was found, or the closing equations
+            of a joint are not known.
+    """
+    mechanism = graph.mechanism
+    scheme = tuple(mechanism.actuated if actuated is None else actuated)
+    progress("loops", f"{len(graph.closing)} closing equations")
+    generic = graph.generic_state()
+    kept = graph.unknowns_of(scheme)
+    limbs = []
+    for number, limb in enumerate(graph.network.limbs):
+        progress(f"limb {limb.name}", f"{len(limb.joints)} joints")
+        limbs.append(_limb(graph, number, kept))
+        finished(f"limb {limb.name}", limbs[-1])
+    progress("constraint", f"{len(graph.network.labels)} columns")
+    locus = loop_locus(graph, (), kept)
+    constraint = ConstraintSingularities(
+        generic_rank=generic.loop,
+        complete=not locus.reason,
+        components=tuple(
+            _component(graph, one, state, state.loop)
+            for one in locus.pieces
+            for state in [graph.state_at(one.points)]
+        ),
+        proof=_proof(locus),
+        reason=locus.reason,
+    )
+    finished("constraint", constraint)
+    actuation = None
+    if scheme:
+        free = len(graph.network.labels) - len(scheme)
+        progress("actuation", f"{free} passive freedoms")
+        actuation = _actuation(graph, scheme, kept)
+    components = [c for limb in limbs for c in limb.components]
+    components += constraint.components
+    components += actuation.components if actuation is not None else ()
+    listed = [equation for c in components for equation in c.equations]
+    return Singularities(
+        case=mechanism.name,
+        title=mechanism.title,
+        limb=tuple(limbs),
+        constraint=constraint,
+        actuation=actuation,
+        assumptions=(
+            *assumptions_in_words(mechanism, graph.root.assumptions),
+            *unsplit({graph.framed.ring: graph.library}, listed),
+        ),
+        platform_name=mechanism.platform,
+    )
+
+
+def _size(graph: TiedGraph) -> int:
+    return len(graph.network.rows)
+
+
+def _limb(graph: TiedGraph, number: int, kept: Sequence[Unknown]) -> LimbSingularities:
+    """Where the twists of a serial limb lose rank at closed postures."""
+    limb, labels = graph.network.limbs[number], graph.framed.limbs[number]
+    if limb.path is None:
+        return LimbSingularities(
+            limb=limb.name,
+            joints=labels,
+            generic_rank=_size(graph),
+            complete=False,
+            components=(),
+            reason="the limb is no chain, and its loops tie joint variables together",
+        )
+    locus = columns_locus(graph, labels, kept)
+    rank = graph.rank_of(labels, graph.closed.points)
+    return LimbSingularities(
+        limb=limb.name,
+        joints=labels,
+        generic_rank=rank,
+        complete=not locus.reason,
+        components=tuple(
+            Component(
+                equations=equations_of(one.piece),
+                codimension=one.piece.codimension,
+                solutions=all_solutions(one.piece),
+                solved=solved_equations(one.piece),
+                rank=graph.rank_of(labels, one.points),
+                geometry=_where_closed(graph, one),
+                wrench_dimension=_size(graph) - graph.rank_of(labels, one.points),
+            )
+            for one in locus.pieces
+        ),
+        proof=_proof(locus),
+        reason=locus.reason,
+    )
+
+
+def _actuation(
+    graph: TiedGraph, actuated: Sequence[str], kept: Sequence[Unknown]
+) -> ActuationSingularities:
+    """Where, with these freedoms locked, the platform can move."""
+    size = _size(graph)
+    generic = graph.generic_state(actuated)
+    if generic.platform_freedom:
+        left = counted(generic.platform_freedom, "freedom")
+        return ActuationSingularities(
+            tuple(actuated),
+            False,
+            size - generic.platform_freedom,
+            True,
+            (),
+            witness=f"it keeps {left}",
+        )
+    locus = loop_locus(graph, actuated, kept)
+    found = []
+    for one in locus.pieces:
+        state = graph.state_at(one.points, actuated)
+        found.append(_component(graph, one, state, size - state.platform_freedom))
+    idle = tuple(c for c in found if not c.platform_freedom)
+    reason = locus.reason
+    if generic.loop > rank_in_the_file(graph.network, actuated):
+        special = (
+            "the posture of the file is singular itself, and whether those near it are "
+            "was not decided"
+        )
+        reason = "; ".join(filter(None, [reason, special]))
+    if idle:
+        inside = "more may move inside conditions on which only a limb idles"
+        reason = "; ".join(filter(None, [reason, inside]))
+    return ActuationSingularities(
+        actuated=tuple(actuated),
+        admissible=True,
+        generic_rank=size,
+        complete=not reason,
+        components=tuple(c for c in found if c.platform_freedom),
+        idle=idle,
+        reason=reason,
+    )
+
+
+def _component(
+    graph: TiedGraph, one: TiedPiece, state: GraphState, rank: int
+) -> Component:
+    return Component(
+        equations=equations_of(one.piece),
+        codimension=one.piece.codimension,
+        solutions=all_solutions(one.piece),
+        solved=solved_equations(one.piece),
+        rank=rank,
+        geometry=_where_closed(graph, one),
+        wrench_dimension=_size(graph) - state.platform_freedom,
+        platform_freedom=state.platform_freedom,
+        mobility=state.mobility,
+    )
+
+
+def _where_closed(graph: TiedGraph, one: TiedPiece) -> str | None:
+    """What the driven variables are at closed postures on a piece, in words."""
+    ring = graph.framed.ring
+    sentences = []
+    for part in one.inputs:
+        text = f"{equation_text(ring, part.polynomial)} = 0"
+        solved = [
+            s
+            for s in solutions(ring, part, graph.root.assumptions)
+            if s.variable in graph.mechanism.joint_variables
+        ]
+        if solved:
+            modulo = " (mod pi)" if solved[0].modulo == "pi" else ""
+            text = f"{solved[0].variable} = {_values(solved[0].values)}{modulo}"
+        if len(text) <= _LONG:
+            sentences.append(text)
+    if not sentences or len(sentences) < len(one.inputs):
+        return None
+    return f"the loops close there with {' or '.join(sentences)}"
+
+
+def _values(values: Sequence[str]) -> str:
+    """Values side by side, two opposite ones as one."""
+    if len(values) == 2 and values[1] == f"-{values[0]}":
+        return f"±{values[0]}"
+    return ", ".join(values)
+
+
+def _proof(locus: TiedLocus) -> str:
+    """Why a list is complete, in words; empty where it is not."""
+    if locus.reason:
+        return ""
+    if not locus.pieces:
+        return "at no closed posture"
+    return (
+        "at closed postures; conditions of joint variables that no closed posture "
+        "meets were left out"
+    )

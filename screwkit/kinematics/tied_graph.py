@@ -1,0 +1,160 @@
+"""A joint graph whose loops tie joint variables together: closed postures as points.
+
+The twists stand in the ring of all joint variables, as if they were free; which values
+belong together is said by the closing equations.  Ranks are taken at exact closed
+postures, modulo a prime.
+
+References: [LongCaroKhalil2012] (4)-(9), [Schwartz1980].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+from functools import cached_property
+
+from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.points import Point, rank_at
+from screwkit.algebra.points_on import Unknown
+from screwkit.algebra.search import Search
+from screwkit.algebra.survey import SurveyRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.errors import UndecidedError
+from screwkit.kinematics.frames import FramedTwists
+from screwkit.kinematics.loop_closing import closing_equations
+from screwkit.kinematics.network import Motion
+from screwkit.kinematics.placement import joint_twists
+from screwkit.kinematics.whole_graph import GraphState, WholeGraph, state_of
+
+_BUDGET = 60  # case distinctions on the closing equations
+
+
+class TiedGraph(WholeGraph):
+    """A mechanism whose joint variables are tied by its loops."""
+
+    @cached_property
+    def framed(self) -> FramedTwists:
+        """The twists of all freedoms in the frame of the base, variables as if free.
+
+        Raises:
+            UndecidedError: If a freedom is not placed there.
+        """
+        mechanism, base = self.mechanism, self.mechanism.base
+        seen = SurveyRing()
+        joint_twists(mechanism, seen, base)
+        closing_equations(mechanism, seen)
+        ring = TrigonometricRing(seen)
+        twists = joint_twists(mechanism, ring, base)
+        missing = [x for x in self.network.labels if x not in twists]
+        if missing:
+            raise UndecidedError(
+                f"nothing places joint {missing[0]!r} relative to the base"
+            )
+        labels = self.network.labels
+        return FramedTwists(
+            ring,
+            base,
+            labels,
+            tuple(tuple(ring.without_divisors(twists[x].coordinates)) for x in labels),
+            tuple(twists[x].point for x in labels),
+            tuple(
+                tuple(x for name in limb.joints for x in self.network.labels_of[name])
+                for limb in self.network.limbs
+            ),
+        )
+
+    @cached_property
+    def closing(self) -> tuple[Polynomial, ...]:
+        """The closing equations, each once."""
+        ring = self.framed.ring
+        found: dict[str, Polynomial] = {}
+        for equation in closing_equations(self.mechanism, ring):
+            value = ring.without_divisors([equation])[0]
+            if value != 0 and str(-value) not in found:
+                found.setdefault(str(value), value)
+        return tuple(found.values())
+
+    def closed_where(self, equations: Sequence[Polynomial]) -> ClosedPart:
+        """Closed postures at which further equations hold."""
+        root = replace(self.root, thorough=True)
+        search = Search(self.library, budget=_BUDGET)
+        zeros = common_zeros(root, [*equations, *self.closing], search)
+        every = [*zeros.branches, *zeros.open]
+        points = [point for branch in every for point in branch.points]
+        return ClosedPart(tuple(points), zeros.complete and not zeros.branches)
+
+    @cached_property
+    def closed(self) -> ClosedPart:
+        """All closed postures."""
+        return self.closed_where(())
+
+    def generic_state(self, locked: Collection[str] = ()) -> GraphState:
+        """What moves in general at closed postures.
+
+        Raises:
+            UndecidedError: If no exact closed posture was found.
+        """
+        self.need_closed_postures()
+        return self.state_at(self.closed.points, locked)
+
+    def state_at(
+        self, points: Sequence[tuple[Point, int]], locked: Collection[str] = ()
+    ) -> GraphState:
+        """The counts of largest rank at some exact postures."""
+        found = [state_of(self.motion_at(*point, locked)) for point in points]
+        return max(found, key=lambda state: state.loop)
+
+    def unknowns_of(self, driven: Sequence[str]) -> tuple[Unknown, ...]:
+        """The variables of driven freedoms and the dimensions, as unknowns."""
+        ring, mechanism = self.framed.ring, self.mechanism
+        joints = {self.network.joint_of[label] for label in driven}
+        names = {v for j in mechanism.joints if j.name in joints for v in j.variables}
+        names |= {parameter.name for parameter in mechanism.parameters}
+        angles = [
+            ("angle", number)
+            for number, form in enumerate(ring.basis)
+            if form[0][0] in names or form[0][0] in ring.constant_angles
+        ]
+        places = zip(ring.symbol_indices(), ring.symbols, strict=True)
+        return (*angles, *(("x", index) for index, name in places if name in names))
+
+    @cached_property
+    def generic_motions(self) -> tuple[Motion, ...]:
+        """At the exact closed postures that were found.
+
+        Raises:
+            UndecidedError: If none was.
+        """
+        self.need_closed_postures()
+        return tuple(self.motion_at(*point) for point in self.closed.points)
+
+    def need_closed_postures(self) -> None:
+        """Refuse where no exact closed posture was found.
+
+        Raises:
+            UndecidedError: Then.
+        """
+        if not self.closed.points:
+            raise UndecidedError(
+                f"{self.network.tied}, and no exact closed posture was found"
+            )
+
+    def rank_of(
+        self, labels: Sequence[str], points: Sequence[tuple[Point, int]]
+    ) -> int:
+        """The largest rank of the twists of some freedoms at exact postures."""
+        columns = [self.framed.column(label) for label in labels]
+        return max(rank_at(columns, *point) for point in points)
+
+
+class ClosedPart:
+    """Exact closed postures that were found, and whether there are none at all.
+
+    Attributes:
+        points: With their primes.
+        is_empty: Proved for real postures, special dimensions aside.
+    """
+
+    def __init__(self, points: tuple[tuple[Point, int], ...], is_empty: bool) -> None:
+        self.points = points
+        self.is_empty = is_empty

@@ -1,0 +1,81 @@
+"""Elimination of angles: what is left holds at every solution, and leads back."""
+
+from __future__ import annotations
+
+import random
+from fractions import Fraction
+
+import pytest
+
+from screwkit.algebra.angle_elimination import eliminated
+from screwkit.algebra.branches import random_branch_prime
+from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.no_real_angle import never_met
+from screwkit.algebra.parse import parse
+from screwkit.algebra.points import residue
+from screwkit.algebra.survey import SurveyRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+
+
+def ring_with(*texts: str) -> tuple[TrigonometricRing, list[Polynomial]]:
+    seen = SurveyRing()
+    written = [parse(text) for text in texts]
+    for expression in written:
+        evaluate(expression, seen)
+    ring = TrigonometricRing(seen)
+    return ring, [ring.normal(evaluate(expression, ring)) for expression in written]
+
+
+def test_two_rods_between_two_points_give_the_law_of_cosines() -> None:
+    ring, equations = ring_with(
+        "a*cos(p) + b*cos(q) - g", "a*sin(p) + b*sin(q)", "a^2 + 2*a*g*cos(p)"
+    )
+    closing, law = equations[:2], equations[2]
+    names = [form[0][0] for form in ring.basis]
+    kept = [("angle", names.index("p"))]
+    kept += [("x", index) for index in ring.symbol_indices()]
+    found = eliminated(ring, closing, kept)
+    assert found is not None
+    (left,) = found.left
+    assert left != law
+    source = random.Random(1)
+    for _ in range(3):
+        prime = random_branch_prime(source)
+        point = found.point(source, prime)
+        assert point is not None
+        assert not any(residue(e, point, prime) for e in closing)
+        assert not residue(left, point, prime)
+    # a² + g² − 2 a g cos p − b²: the angle q is between the rod and the line.
+    b, g, a = (ring.symbol(name) for name in ("b", "g", "a"))
+    cosine = ring.cosines[names.index("p")]
+    expected = ring.normal(a**2 + g**2 - 2 * a * g * cosine - b**2)
+    assert divmod(left, expected)[1] == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "empty"),
+    [
+        ("5*sin(p) + 13", True),
+        ("13*sin(p) + 5", False),
+        ("cos(p) + 1", False),
+        ("cos(p)^2 + 2", True),
+        ("x^2 + 1", True),
+        ("x^2 - 2", False),
+        ("x^3 - 2", False),
+        ("25*cos(p)^2 + 60*sin(p) + 299", True),
+    ],
+)
+def test_real_zeros_of_one_unknown_are_decided(text: str, empty: bool) -> None:
+    ring, equations = ring_with(text)
+    assert never_met(ring, equations) is empty
+
+
+def test_two_equations_without_a_common_zero() -> None:
+    ring, equations = ring_with("cos(p) - 1/2", "sin(p) - 1/2")
+    assert not never_met(ring, equations[:1])
+    assert never_met(ring, equations)
+
+
+def test_a_number_that_is_not_zero_has_none() -> None:
+    ring, _ = ring_with("x")
+    assert never_met(ring, [ring.rational(Fraction(3))])

@@ -1,0 +1,316 @@
+"""Singularities where loops tie joint variables, against elementary geometry.
+
+Positions come from the law of cosines and from complex numbers; nothing of the engine's
+kinematics is used.  A linkage of four pivots is dead for the joint that drives it where
+the other three pivots are on one line.
+"""
+
+from __future__ import annotations
+
+import cmath
+from functools import cache
+from math import acos, cos, isclose, pi, sqrt
+
+import numpy as np
+import pytest
+from loci.numeric import Array, value
+from loci.searching import solved
+
+from screwkit.case import load_text
+from screwkit.errors import UndecidedError
+from screwkit.questions import schemes, singularities
+from screwkit.results.singularities import Singularities
+
+FOUR_BAR = """
+screwkit: 1
+name: four_bar
+space: planar
+geometry: mdh
+base: ground
+platform: coupler
+links: [ground, crank, coupler, tip, rocker]
+parameters:
+  l1: {value: 4, positive: true}
+  l2: {value: 3, positive: true}
+  l3: {value: 4, positive: true}
+  l4: {value: 4, positive: true}
+joints:
+  - {name: "1", type: revolute, parent: ground, child: crank, mdh: {}}
+  - {name: "2", type: revolute, parent: crank, child: coupler, mdh: {d: l1}}
+  - {name: t, type: fixed, parent: coupler, child: tip, mdh: {d: l2}}
+  - {name: "3", type: revolute, parent: rocker, child: tip, mdh: {d: l3}}
+  - {name: "4", type: revolute, parent: ground, child: rocker, mdh: {d: l4}}
+actuated: ["1"]
+"""
+LENGTHS = {"l1": 4.0, "l2": 3.0, "l3": 4.0, "l4": 4.0}
+
+CRANK_ROCKER = """
+screwkit: 1
+name: crank_rocker
+space: planar
+geometry: reference
+base: ground
+platform: coupler
+links: [ground, crank, coupler, rocker]
+points: {A: [0, 0], B: [0, 1], C: [3, 4], D: [5, 0]}
+joints:
+  - {name: "1", type: revolute, parent: ground, child: crank, point: A}
+  - {name: "2", type: revolute, parent: crank, child: coupler, point: B}
+  - {name: "3", type: revolute, parent: coupler, child: rocker, point: C}
+  - {name: "4", type: revolute, parent: ground, child: rocker, point: D}
+actuated: ["1"]
+"""
+
+FIVE_BAR = """
+screwkit: 1
+name: five_bar
+space: planar
+geometry: reference
+base: ground
+platform: left
+links: [ground, one, two, left, right]
+points: {A: [0, 0], B: [-1, 2], C: [2, 4], D: [5, 3], E: [4, 0]}
+joints:
+  - {name: "1", type: revolute, parent: ground, child: one, point: A}
+  - {name: "2", type: revolute, parent: one, child: left, point: B}
+  - {name: "3", type: revolute, parent: left, child: right, point: C}
+  - {name: "4", type: revolute, parent: two, child: right, point: D}
+  - {name: "5", type: revolute, parent: ground, child: two, point: E}
+actuated: ["1", "5"]
+"""
+
+SLIDER_CRANK = """
+screwkit: 1
+name: slider_crank
+space: planar
+geometry: reference
+base: ground
+platform: coupler
+links: [ground, crank, coupler, slider]
+parameters: {r: {value: 1, positive: true}, l: {value: 3, positive: true}}
+points: {A: [0, 0], B: [r, 0], C: [r + l, 0]}
+joints:
+  - {name: "1", type: revolute, parent: ground, child: crank, point: A}
+  - {name: "2", type: revolute, parent: crank, child: coupler, point: B}
+  - {name: "3", type: revolute, parent: coupler, child: slider, point: C}
+  - {name: "4", type: prismatic, parent: ground, child: slider, axis: [1, 0]}
+actuated: ["4"]
+"""
+
+
+@cache
+def answer(text: str) -> Singularities:
+    return singularities(load_text(text))
+
+
+def four_bar(q1: float, side: int) -> dict[str, float] | None:
+    """Joint variables of `FOUR_BAR` for a crank angle; None where it cannot close."""
+    l1, l2, l3, l4 = LENGTHS.values()
+    b, d = l1 * cmath.exp(1j * q1), complex(l4)
+    gap = abs(d - b)
+    if not abs(l2 - l3) < gap < l2 + l3:
+        return None
+    turn = acos((gap**2 + l2**2 - l3**2) / (2 * gap * l2))
+    coupler = cmath.phase(d - b) + side * turn
+    rocker = cmath.phase(b + l2 * cmath.exp(1j * coupler) - d)
+    return {
+        "q1": q1,
+        "q2": coupler - q1,
+        "q4": rocker,
+        "q3": coupler - rocker,
+        **LENGTHS,
+    }
+
+
+def pivots(at: dict[str, float]) -> dict[str, complex]:
+    """The four pivots by the joint there."""
+    b = at["l1"] * cmath.exp(1j * at["q1"])
+    c = at["l4"] + at["l3"] * cmath.exp(1j * at["q4"])
+    return {"1": 0j, "2": b, "3": c, "4": complex(at["l4"])}
+
+
+def area(one: complex, two: complex, three: complex) -> float:
+    return ((two - one).conjugate() * (three - one)).imag
+
+
+def test_a_four_bar_is_dead_where_coupler_and_rocker_are_in_line() -> None:
+    found = answer(FOUR_BAR).actuation
+    assert found is not None
+    assert found.admissible
+    assert found.complete
+    (component,) = found.components
+    (equation,) = component.equations
+    ratios = []
+    for q1 in (0.5, 1.0, -0.7):
+        for side in (1, -1):
+            at = four_bar(q1, side)
+            assert at is not None
+            p = pivots(at)
+            ratios.append(value(equation, at) / area(p["2"], p["3"], p["4"]))
+    assert np.ptp(ratios) < 1e-9 * abs(ratios[0])
+
+
+def test_its_dead_points_are_those_of_the_law_of_cosines() -> None:
+    """|B D| is the sum of coupler and rocker, or their difference."""
+    found = answer(FOUR_BAR).actuation
+    assert found is not None
+    (component,) = found.components
+    assert component.geometry is not None
+    told = component.geometry.removeprefix("the loops close there with ")
+    values = sorted(
+        value(part.removeprefix("q1 = ±"), LENGTHS) for part in told.split(" or ")
+    )
+    l1, l2, l3, l4 = LENGTHS.values()
+    reach = [(l1**2 + l4**2 - gap**2) / (2 * l1 * l4) for gap in (l2 + l3, l3 - l2)]
+    assert np.allclose(values, sorted(map(acos, reach)))
+
+
+def test_no_change_point_without_a_special_length() -> None:
+    """All four pivots are in line only where l1 ± l2 ± l3 ± l4 = 0 (Grashof)."""
+    found = answer(FOUR_BAR).constraint
+    assert found.complete
+    assert found.generic_rank == 3
+    assert not found.components
+
+
+def test_schemes_of_a_four_bar_fail_where_the_other_pivots_are_in_line() -> None:
+    found = schemes(load_text(FOUR_BAR))
+    assert (found.total, found.admissible) == (4, 4)
+    postures = [four_bar(q1, side) for q1 in (0.5, 1.0, -0.7) for side in (1, -1)]
+    for scheme in found.schemes:
+        (driven,) = scheme.actuated
+        (equation,) = scheme.locus
+        ratios = []
+        for at in postures:
+            assert at is not None
+            three = [p for name, p in pivots(at).items() if name != driven]
+            ratios.append(value(equation, at) / area(*three))
+        assert np.ptp(ratios) < 1e-9 * abs(ratios[0])
+
+
+def test_a_crank_that_turns_fully_meets_no_dead_point() -> None:
+    """Lengths 1, √18, √20, 5: the crank is shortest, and shortest + longest is less.
+
+    Driven by the rocker, the dead points are the ends of its swing.
+    """
+    found = answer(CRANK_ROCKER).actuation
+    assert sqrt(18) + sqrt(20) > 1 + 5
+    assert found is not None
+    assert found.complete
+    assert not found.components
+    other = singularities(load_text(CRANK_ROCKER.replace('["1"]', '["4"]'))).actuation
+    assert other is not None
+    assert len(other.components) == 1
+
+
+def five_bar(q1: float, q5: float) -> tuple[complex, complex]:
+    """B and D of `FIVE_BAR`."""
+    b = cmath.exp(1j * q1) * (-1 + 2j)
+    d = 4 + cmath.exp(1j * q5) * (1 + 3j)
+    return b, d
+
+
+def test_singular_postures_of_a_five_bar_are_listed() -> None:
+    """From random starts: B, C, D in line, at the lengths of the file."""
+    found = answer(FIVE_BAR).actuation
+    assert found is not None
+    assert found.complete
+    (component,) = found.components
+    lengths = abs(3 + 2j), abs(3 - 1j)
+    met = 0
+    for seed in range(12):
+        source = np.random.default_rng(seed)
+        start = source.uniform(-pi, pi, 3)
+
+        def residuals(x: Array) -> Array:
+            b, d = five_bar(x[0], x[1])
+            c = b + cmath.exp(1j * (x[0] + x[2])) * (3 + 2j)
+            return np.array([abs(c - d) ** 2 - lengths[1] ** 2, area(b, c, d)])
+
+        here = solved(residuals, start)
+        if here is not None:
+            met += 1
+            at = {"q1": here[0], "q2": here[2], "q5": here[1]}
+            assert abs(value(component.equations[0], at)) < 1e-6
+    assert met > 3
+
+
+def test_a_slider_crank_is_dead_where_crank_and_rod_are_in_line() -> None:
+    found = answer(SLIDER_CRANK).actuation
+    assert found is not None
+    (component,) = found.components
+    assert component.equations == ("sin(q2)",)
+    assert component.geometry is not None
+    told = component.geometry.removeprefix("the loops close there with ")
+    given = {"r": 1.0, "l": 3.0}
+    slides = sorted(value(p.removeprefix("q4 = "), given) for p in told.split(" or "))
+    places = sorted(sign * 3 + other * 1 - 4 for sign in (1, -1) for other in (1, -1))
+    assert np.allclose(slides, places)
+
+
+def test_a_square_says_where_it_is_folded_in_one_equation() -> None:
+    """Equal sides: B lies on D at one crank angle, and nowhere else on the circle."""
+    text = FOUR_BAR
+    for name in LENGTHS:
+        text = text.replace(f"d: {name}", "d: 1")
+    head, _, joints = text.partition("joints:")
+    text = head.partition("parameters:")[0] + "joints:" + joints
+    (scheme,) = schemes(load_text(text), candidates=["1"]).schemes
+    folded = [e for e in scheme.locus if "q4" not in e]
+    assert len(folded) == 1
+    zeros = [
+        q for q in np.linspace(-3, 3, 61) if abs(value(folded[0], {"q1": q})) < 1e-9
+    ]
+    assert np.allclose(zeros, [0])
+
+
+def test_overconstrained_loops_are_refused() -> None:
+    """Bennett: rank 3 on its own motion, 4 at other closed postures."""
+    text = """
+screwkit: 1
+name: bennett
+geometry: mdh
+base: ground
+platform: c
+links: [ground, a, b, c, tip]
+joints:
+  - {name: A, type: revolute, parent: ground, child: a, mdh: {}}
+  - {name: B, type: revolute, parent: a, child: b, mdh: {d: 1, alpha: pi/6}}
+  - {name: C, type: revolute, parent: b, child: c, mdh: {d: 2, alpha: pi/2}}
+  - {name: D, type: revolute, parent: c, child: tip, mdh: {d: 1, alpha: pi/6}}
+  - {name: E, type: fixed, parent: ground, child: tip, mdh: {d: -2, alpha: -pi/2}}
+actuated: [A]
+"""
+    case = load_text(text)
+    assert case.network.tied
+    with pytest.raises(UndecidedError, match="tie"):
+        singularities(case)
+
+
+def test_loops_without_closed_points_are_left_open() -> None:
+    """Two spherical joints: their angles are not linear in the closing equations."""
+    text = """
+screwkit: 1
+name: rssr
+geometry: reference
+base: g
+platform: r
+links: [g, a, c, r]
+joints:
+  - {name: "1", type: revolute, parent: g, child: a, point: [0, 0, 0], axis: [0, 0, 1]}
+  - {name: "2", type: spherical, parent: a, child: c, point: [1, 0, 0]}
+  - {name: "3", type: spherical, parent: c, child: r, point: [3, 2, 1]}
+  - {name: "4", type: revolute, parent: g, child: r, point: [3, 0, 0], axis: [0, 1, 3]}
+actuated: ["1"]
+"""
+    with pytest.raises(UndecidedError, match="no exact closed posture"):
+        singularities(load_text(text))
+
+
+def test_numbers_of_the_helpers() -> None:
+    """A closed posture of the helper closes: the pivots are as far apart as told."""
+    at = four_bar(0.8, 1)
+    assert at is not None
+    p = pivots(at)
+    assert isclose(abs(p["3"] - p["2"]), LENGTHS["l2"])
+    assert isclose(p["2"].real, 4 * cos(0.8))
