@@ -110,8 +110,7 @@ def _resolved(
             joint, index = by_name[stem], int(digits[:3])
     if joint is None:
         if not {label, label.rpartition(":")[0]} & draft.lost("name"):
-            near = reading.nearest(label, by_name)
-            reading.fault(path, f"unknown joint {shown(label)}{near}")
+            reading.fault(path, reading.unknown_joint(label, list(by_name)))
         return None
     if not is_actuable(joint.type):
         words = CATALOGUE[joint.type].words
