@@ -56,19 +56,19 @@ def only_family(block: ChainGraph, forms: Sequence[Form], bound: int) -> str | N
         return None
     there = (
         f"second order leaves {bound} of the {block.mobility} dimensions of the joint "
-        f"rates at this posture, and a smooth family of dimension {bound} is closed"
+        f"rates, and a smooth family of dimension {bound} keeps the loops closed"
     )
     if any(_rank_on(block, family) == block.rank for family in families):
         return (
-            f"{there}, on which the closure equations have the same rank: all postures "
-            f"around belong to it"
+            f"{there}; the rank stays the same on it, so that no other postures are "
+            f"around"
         )
     if bound == 1:
         return f"{there}: no motion through the posture has more dimensions"
     if block.mobility == bound + 1 and all_postures(block).deficit == 1:
         return (
-            f"{there}, on which the one equation vanishes that is left beyond first "
-            f"order: every branch through this posture has dimension {bound}"
+            f"{there}; beyond first order one equation is left, which vanishes on it: "
+            f"every branch through this posture has dimension {bound}"
         )
     return None
 

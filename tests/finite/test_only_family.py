@@ -41,7 +41,7 @@ def test_a_plate_on_equal_parallel_rods_only_translates(
     proof = proved_mobility(plate, plate.motion)
     assert proof is not None
     assert proof.mobility == (len(feet) + 2,)
-    assert "the same rank" in proof.reason
+    assert "the rank stays the same" in proof.reason
 
 
 def test_a_doubtful_tangent_makes_no_second_branch() -> None:
