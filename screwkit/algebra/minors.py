@@ -53,7 +53,8 @@ def minor_table(
 
 def minors_of_size(ring: Ring[S], columns: Sequence[Sequence[S]], size: int) -> list[S]:
     """All minors of some columns that have a size and are not zero."""
-    table = minor_table(ring, columns, len(columns[0]), size)
+    height = len(columns[0]) if columns else 0
+    table = minor_table(ring, columns, height, size)
     return [
         minor
         for chosen, minors in table.items()

@@ -134,6 +134,8 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
 
 
 def _proof(minors: int, rank: int, pieces: Sequence[Piece]) -> str:
+    if not rank:
+        return "it has no freedom to lose"
     if not pieces:
         if minors == 1:
             return f"the one minor of size {rank} vanishes at no posture"

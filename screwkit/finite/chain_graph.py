@@ -18,7 +18,8 @@ from typing import TypeAlias
 
 from screwkit.algebra.elimination_modulo import Eliminated, eliminated
 from screwkit.finite.lie_closure import ResidueScrew, Span, Word
-from screwkit.kinematics.network import Motion
+from screwkit.kinematics.network import Motion, Network
+from screwkit.mechanism.model import JointType
 
 Cycle: TypeAlias = tuple[tuple[int, int], ...]
 """Numbers of edges with +1 or −1 for the direction, in the order of the walk."""
@@ -245,11 +246,21 @@ def with_parameters(
 
 
 def chain_graph(motion: Motion, held: Collection[str] = ()) -> ChainGraph:
-    """The graph of a mechanism at a posture; locked and held freedoms are rigid."""
+    """The graph of a mechanism at a posture; locked and held freedoms are rigid.
+
+    The factors of a ball joint come in the order of its freedoms where it leads away
+    from a body an even number of joints from the base, and backwards elsewhere: then
+    two balls of a rod undo each other by opposite angles, factor by factor.
+    """
     network, posture = motion.network, motion.posture
+    far = _joints_away(network)
+    orders: dict[str, tuple[str, ...]] = {}
     edges: list[Edge] = []
     for joint in network.mechanism.joints:
         labels = network.labels_of[joint.name]
+        if joint.type is JointType.SPHERICAL and far.get(joint.parent, 0) % 2:
+            labels = tuple(reversed(labels))
+        orders[joint.name] = tuple(labels)
         here = joint.parent
         for number, label in enumerate(labels, start=1):
             last = number == len(labels)
@@ -260,7 +271,7 @@ def chain_graph(motion: Motion, held: Collection[str] = ()) -> ChainGraph:
             here = there
         if not labels:
             edges.append(Edge(joint.name, joint.parent, joint.child))
-    parts = {joint: labels or (joint,) for joint, labels in network.labels_of.items()}
+    parts = {joint: labels or (joint,) for joint, labels in orders.items()}
     loops = (
         tuple(
             (name, sign)
@@ -270,6 +281,23 @@ def chain_graph(motion: Motion, held: Collection[str] = ()) -> ChainGraph:
         for loop in network.loops
     )
     return with_parameters(edges, posture.prime, loops)
+
+
+def _joints_away(network: Network) -> dict[str, int]:
+    """How many joints lie between the base and each body connected with it."""
+    beside: dict[str, list[str]] = {}
+    for joint in network.mechanism.joints:
+        beside.setdefault(joint.parent, []).append(joint.child)
+        beside.setdefault(joint.child, []).append(joint.parent)
+    found = {network.mechanism.base: 0}
+    waiting = deque(found)
+    while waiting:
+        here = waiting.popleft()
+        for there in beside.get(here, ()):
+            if there not in found:
+                found[there] = found[here] + 1
+                waiting.append(there)
+    return found
 
 
 def independent_cycles(

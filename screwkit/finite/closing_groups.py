@@ -13,7 +13,7 @@ References: [Herve1999], [RicoRavani2003] (kinematic chains and subalgebras).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -217,6 +217,23 @@ def smooth_family(graph: ChainGraph, ends: Sequence[str]) -> Closing | None:
             return replace(closing, tied=tied, held=held)
     closing = _Search(graph, ends, follow=True).best()
     return None if closing.deficit else closing
+
+
+def smooth_subfamilies(
+    graph: ChainGraph, rates: Sequence[Mapping[int, int]]
+) -> Iterator[Closing]:
+    """Families of closed postures proved smooth whose rates are those given.
+
+    Args:
+        graph: A block.
+        rates: Some of those that close its loops, independent.
+    """
+    if graph.width > LARGEST_BLOCK:
+        return
+    for family, tied, held in subfamilies(graph, rates):
+        closing = _Search(family, ()).best()
+        if not closing.deficit and closing.graph.mobility == len(rates):
+            yield replace(closing, tied=tied, held=held)
 
 
 def all_postures(graph: ChainGraph) -> Closing:

@@ -53,8 +53,9 @@ PATIENCE = 4
 WITNESSES = 4
 """At how many singular postures of one rank the dimension is counted."""
 
-CLEAR = 1e-3
-"""Size of a platform twist that counts along tangents known from neighbours."""
+CLEAR = (1e-3, 3e-2)
+"""Sizes of a platform twist along tangents known from neighbours: none below, one
+above, unclear between, as closing to within 1e-12 may leave a double root 1e-6 off."""
 
 DOUBTFUL = 0.2
 """Part of the closed postures that may stay singular without making it all doubtful."""
@@ -217,7 +218,10 @@ def _along(
     tangents = tangents_of(forest, here, kernel, dimension, random)
     if tangents is None:
         return ()
-    return platform_system(forest, stance, number, tangents, CLEAR)
+    small, large = (
+        platform_system(forest, stance, number, tangents, size) for size in CLEAR
+    )
+    return small if small == large else ()
 
 
 def _settled(

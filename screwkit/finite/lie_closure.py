@@ -24,7 +24,10 @@ Word: TypeAlias = tuple[tuple[int, ResidueScrew], ...]
 that it multiplies, the sign of the passage included."""
 
 _Rotation: TypeAlias = tuple[tuple[int, ...], ...]
-_Displacement: TypeAlias = tuple[_Rotation, tuple[int, ...]]
+Displacement: TypeAlias = tuple[_Rotation, tuple[int, ...]]
+"""A rotation matrix and the translation after it, modulo the prime."""
+
+UNMOVED: Displacement = (((1, 0, 0), (0, 1, 0), (0, 0, 1)), (0, 0, 0))
 
 
 class Span:
@@ -154,7 +157,7 @@ class _Samples:
         own = [*walk.again[:start], *walk.moved[start:]]
         columns = _tied_columns(tuple(zip(parameters, own, strict=True)), prime)
         home = _inverse(walk.before[start], prime)
-        return [_carried(home, column, prime) for column in columns]
+        return [carried(home, column, prime) for column in columns]
 
 
 @dataclass(frozen=True)
@@ -167,7 +170,7 @@ class _Walk:
         again: The same one turn of the loop later.
     """
 
-    before: list[_Displacement]
+    before: list[Displacement]
     moved: list[ResidueScrew]
     again: list[ResidueScrew]
 
@@ -178,19 +181,19 @@ def _walk(word: Word, prime: int, source: random.Random) -> _Walk:
         p: (source.randrange(1, prime), source.randrange(prime))
         for p in sorted(parameters)
     }
-    before, moved = list[_Displacement](), list[ResidueScrew]()
-    here: _Displacement = (((1, 0, 0), (0, 1, 0), (0, 0, 1)), (0, 0, 0))
+    before, moved = list[Displacement](), list[ResidueScrew]()
+    here = UNMOVED
     for parameter, screw in word:
         before.append(here)
-        moved.append(_carried(here, screw, prime))
-        step = _exponential(screw, *values[parameter], prime)
-        here = _composed(here, step, prime)
-    return _Walk(before, moved, [_carried(here, screw, prime) for screw in moved])
+        moved.append(carried(here, screw, prime))
+        step = random_step(screw, *values[parameter], prime)
+        here = composed(here, step, prime)
+    return _Walk(before, moved, [carried(here, screw, prime) for screw in moved])
 
 
-def _exponential(
+def random_step(
     screw: ResidueScrew, value: int, advance: int, prime: int
-) -> _Displacement:
+) -> Displacement:
     """A displacement of the screw's one-parameter group, by Cayley's parameter.
 
     The rotation is I + 2 (t[ω] + t²[ω]²) / (1 + t²ω·ω), so that opposite values undo
@@ -200,7 +203,7 @@ def _exponential(
     w, v = screw[:3], screw[3:]
     square = sum(x * x for x in w) % prime
     if not square:
-        return ((1, 0, 0), (0, 1, 0), (0, 0, 1)), tuple(value * x % prime for x in v)
+        return UNMOVED[0], tuple(value * x % prime for x in v)
     scale = 2 * value * pow(1 + value * value * square, -1, prime) % prime
     cross = ((0, -w[2], w[1]), (w[2], 0, -w[0]), (-w[1], w[0], 0))
     rotation = tuple(
@@ -225,7 +228,8 @@ def _exponential(
     )
 
 
-def _composed(one: _Displacement, other: _Displacement, prime: int) -> _Displacement:
+def composed(one: Displacement, other: Displacement, prime: int) -> Displacement:
+    """The displacement that moves as the second does, and then as the first."""
     (first, here), (second, there) = one, other
     (a, b, c), (d, e, f), (g, h, i) = second
     product = tuple(
@@ -244,14 +248,14 @@ def _composed(one: _Displacement, other: _Displacement, prime: int) -> _Displace
     )
 
 
-def _inverse(displacement: _Displacement, prime: int) -> _Displacement:
+def _inverse(displacement: Displacement, prime: int) -> Displacement:
     rotation, shift = displacement
     back = tuple(zip(*rotation, strict=True))
     return back, tuple(-x % prime for x in _rotated(back, shift, prime))
 
 
-def _carried(
-    displacement: _Displacement, screw: Sequence[int], prime: int
+def carried(
+    displacement: Displacement, screw: Sequence[int], prime: int
 ) -> ResidueScrew:
     """The screw after the displacement: (Rω; Rv + t×Rω)."""
     rotation, shift = displacement

@@ -266,7 +266,7 @@ def report(
     rows = [_coordinates(scene, state) for state in kept]
     return ClosedMotion(
         closed=closed,
-        coordinates=np.array(rows).reshape(-1, len(scene.units)),
+        coordinates=np.array(rows).reshape(len(rows), len(scene.units)),
         model=rebased(scene.given, rows[-1]) if rows else scene.given,
         angle=float(angle),
         distance=float(distance),

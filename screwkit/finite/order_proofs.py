@@ -19,6 +19,7 @@ from screwkit.finite.higher_order import (
     continuation,
     second_order_forms,
 )
+from screwkit.finite.only_family import only_family
 from screwkit.finite.real_forms import (
     Matrix,
     definite_combination,
@@ -106,6 +107,9 @@ def proved_by_order(
             f"{block.mobility}-dimensional joint rates, and one of them is finite: "
             f"with some joints held the postures form a smooth family of dimension 1",
         )
+    told = only_family(block, forms, bound) if bound < block.mobility else None
+    if told is not None:
+        return Proved(bound, told)
     twins = second_order_forms(blocks[1])
     real = real_forms(postures, (forms, twins)) if forms else None
     return None if real is None else _of_real_forms(block, real)

@@ -18,13 +18,21 @@ from screwkit.finite.lie_closure import ResidueScrew, loop_algebra
 MOST_CYCLES = 120
 
 
-def subfamilies(graph: ChainGraph) -> Iterator[tuple[ChainGraph, bool, bool]]:
+def subfamilies(
+    graph: ChainGraph, rates: Sequence[Mapping[int, int]] | None = None
+) -> Iterator[tuple[ChainGraph, bool, bool]]:
     """The graph and subfamilies with the same rates at the posture, without repeats.
 
     With each whether joints are tied in it, and whether joints are held.
+
+    Args:
+        graph: A block.
+        rates: The rates that a subfamily shall keep; all that close the loops if none
+            are given.
     """
-    groups = _tied_groups(graph)
-    still = frozenset(range(graph.width)) - {p for r in graph.rates for p in r}
+    kept = graph.rates if rates is None else rates
+    groups = _tied_groups(graph, kept)
+    still = frozenset(range(graph.width)) - {p for r in kept for p in r}
     closing = _ties_that_close(graph, groups)
     seen = set()
     for ties in (groups[:0], closing, groups):
@@ -36,15 +44,17 @@ def subfamilies(graph: ChainGraph) -> Iterator[tuple[ChainGraph, bool, bool]]:
                 yield family, bool(ties), bool(held)
 
 
-def _tied_groups(graph: ChainGraph) -> list[dict[int, int]]:
+def _tied_groups(
+    graph: ChainGraph, kept: Sequence[Mapping[int, int]]
+) -> list[dict[int, int]]:
     """Parameters of parallel joints with equal or opposite rates.
 
     Each group gives the factor from its first parameter to the others; a parameter in
-    one group at most.  Compared are the rates of all motions at the posture.
+    one group at most.  Compared are the rates of all motions that are kept.
     """
     prime, groups, taken = graph.prime, [], set[int]()
     moving = {e.parameter: _axis(e.screw) for e in graph.edges if any(e.screw)}
-    columns = {p: [rates.get(p, 0) for rates in graph.rates] for p in moving}
+    columns = {p: [rates.get(p, 0) for rates in kept] for p in moving}
     for first, (turns, axis) in moving.items():
         if first in taken or not any(columns[first]):
             continue

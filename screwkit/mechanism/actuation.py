@@ -110,10 +110,8 @@ def _resolved(
             joint, index = by_name[stem], int(digits[:3])
     if joint is None:
         if not {label, label.rpartition(":")[0]} & draft.lost("name"):
-            near = reading.nearest(
-                label, [n for n, j in by_name.items() if is_actuable(j.type)]
-            )
-            reading.fault(path, f"unknown joint {shown(label)}{near}")
+            usable = [n for n, j in by_name.items() if is_actuable(j.type)]
+            reading.fault(path, reading.unknown_joint(label, usable))
         return None
     if not is_actuable(joint.type):
         words = CATALOGUE[joint.type].words

@@ -20,8 +20,7 @@ def check_limb_names(mechanism: Mechanism, draft: Draft, reading: Reading) -> No
         for position, name in enumerate(names):
             path: Path = ("limbs", limb_name, position)
             if name not in by_name and name not in lost:
-                near = reading.nearest(name, by_name)
-                reading.fault(path, f"unknown joint {shown(name)}{near}")
+                reading.fault(path, reading.unknown_joint(name, list(by_name)))
                 sound = False
             elif name in owners:
                 reading.fault(

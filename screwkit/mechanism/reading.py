@@ -28,6 +28,9 @@ _SOME: Final = 8
 _MOST_ASKED: Final = 50
 """How many names are looked for among all others: each takes a while."""
 _UNITS: Final = {"x": "[1, 0, 0]", "y": "[0, 1, 0]", "z": "[0, 0, 1]"}
+_NO_NUMBERS: Final = ("inf", "infinity", "nan")
+_FOR_NUMBERS: Final = "`parameters` or `variables`"
+_FOR_VECTORS: Final = f"{_FOR_NUMBERS}, or as one of the `points` or `vectors`"
 _NUMBER: Final = re.compile(
     r"(?P<above>-?[0-9]{1,15}(?:\.[0-9]{1,15})?)(?:/(?P<below>[0-9]{1,15}))?"
 )
@@ -152,11 +155,18 @@ class Reading:
 
     def unknown_link(self, name: str, links: Sequence[str]) -> str:
         """A body that is not listed, with the nearest that is, or with some of them."""
-        near = self.nearest(name, links)
-        if not near and links:
-            more = ", …" if len(links) > _SOME else ""
-            near = f"; the links are {', '.join(links[:_SOME])}{more}"
-        return f"unknown link {shown(name)}{near}"
+        return self._unknown("link", name, links)
+
+    def unknown_joint(self, name: str, joints: Sequence[str]) -> str:
+        """The same of a joint."""
+        return self._unknown("joint", name, joints)
+
+    def _unknown(self, noun: str, name: str, known: Sequence[str]) -> str:
+        near = self.nearest(name, known)
+        if not near and known:
+            more = ", …" if len(known) > _SOME else ""
+            near = f"; the {noun}s are {', '.join(known[:_SOME])}{more}"
+        return f"unknown {noun} {shown(name)}{near}"
 
     def vouch(self, expressions: Iterable[Expression]) -> None:
         """Take these expressions as checked: they are built, and a fault is known."""
@@ -191,6 +201,11 @@ class Reading:
                 near = self.nearest(name, {*allowed, *self.vectors, *RESERVED})
                 if text == name and name in _UNITS and vector:
                     near = f"; write {_UNITS[name]}"
+                elif name.lower() in _NO_NUMBERS:
+                    near = "; every number is finite"
+                elif not near:
+                    sections = _FOR_VECTORS if vector else _FOR_NUMBERS
+                    near = f"; it can be declared under {sections}"
                 self.fault(path, f"unknown name {shown(name)}{near}", position)
         return known
 

@@ -45,7 +45,9 @@ def screws_blocks(answer: Screws) -> tuple[Block, ...]:
     for limb in answer.limbs:
         blocks += [
             Heading(
-                words(f"{limb_called(limb.name)}: {listed(limb.joints)}"),
+                words(
+                    f"{limb_called(limb.name)}: {listed(limb.joints) or 'no freedom'}"
+                ),
                 1,
                 words(dimensions(limb.twist_dimension, limb.wrench_dimension)),
             ),

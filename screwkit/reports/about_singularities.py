@@ -87,7 +87,7 @@ def limb_blocks(
     shown: int | None = SHOWN,
 ) -> list[Block]:
     """One limb's conditions and where they meet."""
-    head = f"{limb_called(limb.limb)}: {listed(limb.joints)}"
+    head = f"{limb_called(limb.limb)}: {listed(limb.joints) or 'no freedom'}"
     aside = f"rank {limb.generic_rank} in general" if show_rank else ""
     blocks: list[Block] = [Heading(words(head), 2, words(aside))]
     blocks += listing(entries, numbering, shown)

@@ -237,7 +237,8 @@ def _equal(axes: Any, panel: Panel) -> None:
                 points.append((x, y, z))
     low = [min(p[i] for p in points) for i in range(3)]
     high = [max(p[i] for p in points) for i in range(3)]
-    half = 0.52 * max(h - lo for h, lo in zip(high, low, strict=True))
+    # All in one point, as bodies without any moving joint are: any scale will do.
+    half = 0.52 * (max(h - lo for h, lo in zip(high, low, strict=True)) or 1.0)
     middle = [(h + lo) / 2 for h, lo in zip(high, low, strict=True)]
     axes.set_xlim(middle[0] - half, middle[0] + half)
     axes.set_ylim(middle[1] - half, middle[1] + half)
