@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 from screwkit.analyses.naming_words import MANY, listed, screw_moves
+from screwkit.analyses.rounded_screws import rounded
 from screwkit.analyses.screw_texts import ScrewTexts
 
 _MEANING: Final[Mapping[str, str]] = {
@@ -51,6 +52,9 @@ def motion_words(
     'S1 and S2 move together'
     >>> motion_words("po_i", up, [], ["2"])
     'the platform translates along [0, 0, 1]; 2 moves with it'
+    >>> far = ScrewTexts("free", ("12345", "-23456", "0"))
+    >>> motion_words("o_i", far, [], [])
+    'the platform translates along [0.5263, -1, 0] (rounded)'
     >>> spin = ScrewTexts("line", ("1", "0", "0"), ("0", "1", "0"))
     >>> motion_words("o_i", spin, [], [])
     'the platform rotates about the line through [0, 1, 0] along [1, 0, 0]'
@@ -59,7 +63,9 @@ def motion_words(
     if screw is None:
         alone = "moves" if len(joints) == 1 else "move together"
         return f"{_names(joints)} {alone}"
-    parts = [f"the platform {screw_moves(screw)}"]
+    short = rounded(screw)
+    said = "" if short == screw else " (rounded)"
+    parts = [f"the platform {screw_moves(short)}{said}"]
     if actuated:
         following = f", {_names(passive)} {_verb(passive, 'follow')}" if passive else ""
         parts.append(f"{_names(actuated)} {_verb(actuated, 'drive')} it{following}")
