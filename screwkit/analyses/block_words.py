@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 from screwkit.analyses.naming_words import MANY, listed, screw_moves
+from screwkit.analyses.rounded_screws import rounded
 from screwkit.analyses.screw_texts import ScrewTexts
 
 _MEANING: Final[Mapping[str, str]] = {
@@ -45,26 +46,32 @@ def motion_words(
     >>> up = ScrewTexts("free", ("0", "0", "1"))
     >>> motion_words("apo_c", up, ["1", "5"], ["2"])
     'the platform translates along [0, 0, 1]; 1 and 5 drive it, 2 follows'
+    >>> motion_words("ao_c", up, ["1"], [])
+    'the platform translates along [0, 0, 1]; 1 drives it'
     >>> motion_words("p_r", None, [], ["S1", "S2"])
     'S1 and S2 move together'
+    >>> motion_words("po_i", up, [], ["2"])
+    'the platform translates along [0, 0, 1]; 2 moves with it'
+    >>> far = ScrewTexts("free", ("12345", "-23456", "0"))
+    >>> motion_words("o_i", far, [], [])
+    'the platform translates along [0.5263, -1, 0] (rounded)'
     >>> spin = ScrewTexts("line", ("1", "0", "0"), ("0", "1", "0"))
     >>> motion_words("o_i", spin, [], [])
     'the platform rotates about the line through [0, 1, 0] along [1, 0, 0]'
     """
-    parts = []
-    if actuated and screw is not None:
-        parts.append(f"{_names(actuated)} {_verb(actuated, 'drive')} it")
-    elif actuated or passive:
-        joints = [*actuated, *passive]
-        alone = "moves" if len(joints) == 1 else "move together"
-        parts.append(f"{_names(joints)} {alone}")
-    if passive and screw is not None:
-        parts.append(f"{_names(passive)} {_verb(passive, 'follow')}")
-    joined = ", ".join(parts)
+    joints = [*actuated, *passive]
     if screw is None:
-        return joined
-    moves = f"the platform {screw_moves(screw)}"
-    return f"{moves}; {joined}" if joined else moves
+        alone = "moves" if len(joints) == 1 else "move together"
+        return f"{_names(joints)} {alone}"
+    short = rounded(screw)
+    said = "" if short == screw else " (rounded)"
+    parts = [f"the platform {screw_moves(short)}{said}"]
+    if actuated:
+        following = f", {_names(passive)} {_verb(passive, 'follow')}" if passive else ""
+        parts.append(f"{_names(actuated)} {_verb(actuated, 'drive')} it{following}")
+    elif passive:
+        parts.append(f"{_names(passive)} {_verb(passive, 'move')} with it")
+    return "; ".join(parts)
 
 
 def _verb(names: Sequence[str], verb: str) -> str:

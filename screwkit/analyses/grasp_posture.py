@@ -25,6 +25,7 @@ from screwkit.kinematics.exact_postures import at_zero
 from screwkit.kinematics.network import Network
 from screwkit.kinematics.placement import why_tied
 from screwkit.kinematics.values import declared_values, with_values
+from screwkit.mechanism.graph import holding_joints
 from screwkit.mechanism.joints import is_actuable
 from screwkit.mechanism.model import Joint, JointType, Mechanism, freedom_label
 from screwkit.metrics.float_grasp import float_matrices, float_values
@@ -219,7 +220,8 @@ def with_length(mechanism: Mechanism, length: Expression) -> Mechanism:
     """The mechanism with weights by which a length counts as one radian.
 
     Weights that the file declares stay.  Twists weigh v by 1/length², rates those of
-    translations; wrenches and torques are the dual: moments and torques by 1/length².
+    translations; wrenches, contact forces and torques are the dual: moments and torques
+    by 1/length².
     """
     square = quotient(ONE, multiply(length, length))
     planar = mechanism.space == "planar"
@@ -233,6 +235,7 @@ def with_length(mechanism: Mechanism, length: Expression) -> Mechanism:
         ("wrench", wrench),
         ("rates", [square if slide else ONE for slide in slides]),
         ("torques", [ONE if slide else square for slide in slides]),
+        ("contact_forces", wrench * len(holding_joints(mechanism))),
     ):
         weights.setdefault(
             key,

@@ -25,7 +25,7 @@ from screwkit.analyses.grasp_notes import (
 from screwkit.analyses.grasp_posture import GraspPosture, grasp_posture
 from screwkit.analyses.partition import gamma_of, motion_blocks
 from screwkit.grasping.exact_grasp import Ranks
-from screwkit.grasping.symbolic_indices import kinematic_polynomial
+from screwkit.grasping.symbolic_indices import kinematic_polynomial, value_name
 from screwkit.kinematics.network import Network
 from screwkit.mechanism.graph import limbs
 from screwkit.mechanism.joints import freedom_labels
@@ -150,7 +150,10 @@ def _symbolic(at: GraspPosture) -> SymbolicIndices:
     """Where the posture is one of a family."""
     if at.family is None:
         return SymbolicIndices()
-    return SymbolicIndices(kinematic_polynomial(at.family))
+    mechanism = at.family.mechanism
+    symbols = [p.name for p in mechanism.parameters]
+    called = value_name([*symbols, *mechanism.joint_variables])
+    return SymbolicIndices(kinematic_polynomial(at.family, called), called)
 
 
 def _unnamed(gamma: Gamma) -> tuple[MotionBlock, ...]:

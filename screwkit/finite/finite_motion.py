@@ -273,5 +273,5 @@ def _nothing_found(count: int, collapsed: int, failed: int) -> FiniteMotion:
     if failed:
         why = f"{failed} of {count} starts did not close and {collapsed} returned"
         return FiniteMotion("undecided", (), (), why)
-    why = f"all {count} starts return to the posture: it is shaky, nothing moves"
+    why = f"all {count} starts return to the posture"
     return FiniteMotion("sampled", (0,), (), why)

@@ -84,10 +84,30 @@ class _Metrics:
             written.get("wrench", identity(size)),
             _scaled(written.get("rates", identity(len(strokes))), strokes, prime),
             _scaled(written.get("torques", identity(len(strokes))), inverse, prime),
-            None
+            _force_metric(grasp, written["contact_forces"])
             if "contact_forces" in written
             else _scaled(identity(len(squares)), squares, prime),
         )
+
+
+def _force_metric(grasp: ExactGrasp, weight: Rows) -> Rows:
+    """The weight of (f; m) of each contact for the components on the object.
+
+    A component acts along its direction as written, which need not be of unit length.
+    """
+    matrices = grasp.matrices
+    half = 3 if grasp.twists > 3 else 2  # forces; in the plane one moment follows
+    names = [hold.joint for hold in matrices.holds.contacts]
+    rows = []
+    for row in matrices.rows[: matrices.held]:
+        direction = [int(x) for x in row.wrench.direction]
+        couple = row.wrench.kind == "couple"
+        acting = direction[2:] if couple and half == 2 else direction[:half]
+        start = grasp.twists * names.index(row.hold.joint) + half * couple
+        line = [0] * len(weight)
+        line[start : start + len(acting)] = acting
+        rows.append(line)
+    return gram(rows, weight, grasp.prime)
 
 
 def _scaled(weight: Rows, squares: Sequence[int], prime: int) -> Rows | None:

@@ -15,7 +15,7 @@ References: [BicchiPrattichizzo] eqs. (12), (13).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Final
 
 from screwkit.algebra.evaluation import evaluate
@@ -34,15 +34,28 @@ MOST: Final = 2
 TERMS: Final = 24
 """Terms of the whole polynomial up to which it counts as short."""
 
+_VALUE_NAMES: Final = ("x", "lambda", *(f"lambda{k}" for k in range(1, 1000)))
+"""From these the value takes the first that is no symbol."""
+
 ENTRIES: Final = 60
 """Terms of the basis vectors together up to which it is tried."""
 
 
-def kinematic_polynomial(family: GraspFamily) -> str:
+def value_name(names: Collection[str]) -> str:
+    """What the value is called in a polynomial beside symbols of these names.
+
+    >>> value_name(["L"]), value_name(["x", "y"])
+    ('x', 'lambda')
+    """
+    return next(name for name in _VALUE_NAMES if name not in names)
+
+
+def kinematic_polynomial(family: GraspFamily, called: str) -> str:
     """The polynomial of the kinematic index, or an empty text.
 
     Args:
         family: The grasp with its symbols; weights may contain them.
+        called: The name of the value, which is none of the symbols.
     """
     mechanism, blocks = family.mechanism, family.blocks
     count = blocks.dimension("apo_c") + blocks.dimension("ao_c")
@@ -61,7 +74,7 @@ def kinematic_polynomial(family: GraspFamily) -> str:
         coefficients = coefficients[1:]
     if sum(len(c) for c in coefficients) > TERMS:
         return ""
-    return _written(ring, coefficients)
+    return _written(ring, coefficients, called)
 
 
 def _determinant(
@@ -162,14 +175,16 @@ def _by_power(
     return [ring.context.from_dict(terms) for terms in found]
 
 
-def _written(ring: TrigonometricRing, coefficients: Sequence[Polynomial]) -> str:
+def _written(
+    ring: TrigonometricRing, coefficients: Sequence[Polynomial], called: str
+) -> str:
     parts: list[tuple[str, str]] = []
     for power in range(len(coefficients) - 1, -1, -1):
         value = coefficients[power]
         if value == 0:
             continue
         written = text(ring, value)
-        variable = "" if not power else "x" if power == 1 else f"x^{power}"
+        variable = "" if not power else called if power == 1 else f"{called}^{power}"
         sign = "+"
         if len(value) == 1 and written.startswith("-"):
             sign, written = "-", written[1:]

@@ -117,9 +117,11 @@ def posture_answers(
         index_values(found.active),
         index_values(found.passive),
         index_values(found.internal),
-        _ball_image(shape[angular:, angular:]),
-        _ball_image(shape[:angular, :angular]),
-        _ball_image(found.force.shape[: size - angular, : size - angular]),
+        _ball_image(shape[angular:, angular:], shape),
+        _ball_image(shape[:angular, :angular], shape),
+        _ball_image(
+            found.force.shape[: size - angular, : size - angular], found.force.shape
+        ),
         _cooperative(grasp, weights, found, matrices, arms, rule) if arms else None,
         ranks,
         _alone(grasp, matrices) if counted else None,
@@ -155,14 +157,22 @@ def _rows(matrix: Array) -> tuple[tuple[float, ...], ...]:
     )
 
 
-def _ball_image(shape: Array) -> Ellipsoid:
-    """The ellipsoid with that shape matrix, axes of rounding size left out."""
+def _ball_image(shape: Array, whole: Array | None = None) -> Ellipsoid:
+    """The ellipsoid with that shape matrix, axes of rounding size left out.
+
+    Args:
+        shape: Of coordinates of one kind.
+        whole: Of all coordinates; what is small beside it is rounding too.
+    """
     if not shape.size:
         return Ellipsoid()
     values, vectors = np.linalg.eigh(shape)
     order = np.argsort(values)[::-1]
     largest = max(float(values.max(initial=0.0)), 0.0)
-    kept = [i for i in order if values[i] > 1e-12 * largest and largest > 0]
+    least = 1e-12 * largest
+    if whole is not None:
+        least = max(least, ROUNDED**2 * float(np.abs(np.diag(whole)).max()))
+    kept = [i for i in order if values[i] > least]
     axes = AxesOf(np.sqrt(values[kept]), vectors[:, kept].T)
     return ellipsoid(axes)
 

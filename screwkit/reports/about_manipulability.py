@@ -257,7 +257,11 @@ def in_symbols(answer: Manipulability) -> tuple[Block, ...]:
     if not answer.symbolic.kinematic:
         return ()
     formula = Math(f"{answer.symbolic.kinematic} = 0")
-    return (Paragraph((Words("in the symbols of the file: "), formula), 1),)
+    said: Text = (Words("in the symbols of the file: "), formula)
+    unknown = answer.symbolic.unknown
+    if unknown != "x":
+        said = (*said, Words(", with the value "), Math(unknown))
+    return (Paragraph(said, 1),)
 
 
 def reach(answer: Manipulability) -> tuple[Block, ...]:

@@ -235,6 +235,8 @@ def prose(text: str) -> Text:
 
     >>> prose("along [0, sqrt(3)/2]")[1:3]
     (Words(text='['), Math(text='0', terms=0))
+    >>> prose("pitch -0.25")[1]
+    Words(text='−0.25')
     """
     spans: list[Span] = []
     for part in _WRITTEN.split(text):
@@ -243,6 +245,7 @@ def prose(text: str) -> Text:
 
 
 _WRITTEN = re.compile(r"(\[[^\[\]]*\]|(?<=\bpitch )-?(?:\d|sqrt)[^\s,;]*)")
+_DECIMAL = re.compile(r"-?\d+\.\d+")
 _SHORT = 40
 
 
@@ -258,12 +261,19 @@ def _as_mathematics(part: str) -> Text:
     except ExpressionError:
         return ()
     if not vector:
-        return (Math(part),)
+        return (_number(part),)
     space = "\u00a0" if len(part) < _SHORT else " "
     spans: list[Span] = [Words("[")]
     for entry in entries:
-        spans += [Math(entry), Words(f",{space}")]
+        spans += [_number(entry), Words(f",{space}")]
     return (*spans[:-1], Words("]"))
+
+
+def _number(text: str) -> Span:
+    """Exact, and then mathematics; a decimal is rounded and stays as it is."""
+    if _DECIMAL.fullmatch(text):
+        return Words(text.replace("-", "−"))
+    return Math(text)
 
 
 def math(text: str, terms: int = 0) -> Text:

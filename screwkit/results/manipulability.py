@@ -164,13 +164,15 @@ class PostureNote:
 
 @dataclass(frozen=True)
 class SymbolicIndices:
-    """Polynomials in x whose roots are the values, for all values of the symbols.
+    """Polynomials whose roots are the values, for all values of the symbols.
 
     Attributes:
         kinematic: Of (13); empty where it is not short, or the file has no symbols.
+        unknown: What the value is called there: x, unless the file has a symbol x.
     """
 
     kinematic: str = ""
+    unknown: str = "x"
 
 
 @dataclass(frozen=True, repr=False)

@@ -39,7 +39,8 @@ class BlockMotion:
 
     Attributes:
         joints: The freedoms that move.
-        rates: Their rates, exact; empty where they are no short expressions.
+        rates: Their rates, exact, along axes as long as the file writes them; empty
+            where they are no short expressions.
         twist: Of the object, exact; empty where it rests or has no short expression.
         words: What moves, and how.
     """

@@ -158,6 +158,8 @@ def test_the_unit_of_length_is_no_matter_with_a_length_for_a_radian(
     assert one.partition.gamma == other.partition.gamma
     assert np.allclose(one.kinematic.finite, other.kinematic.finite, rtol=1e-7)
     assert np.allclose(one.force.finite, other.force.finite, rtol=1e-7)
+    inside = one.internal_force, other.internal_force
+    assert np.allclose(inside[0].finite, inside[1].finite, rtol=1e-7)
     assert (one.kinematic.infinite, one.kinematic.zero) == (
         other.kinematic.infinite,
         other.kinematic.zero,
@@ -221,3 +223,4 @@ def test_weights_of_contact_forces_leave_loops_out(tmp_path: Path, order: str) -
     weights = "weights: {contact_forces: [2, 9, 9, 3, 9, 5]}\n"
     index = fingers(tmp_path, order, "a, e", weights).internal_force
     assert index.finite == pytest.approx([(2 + 3 + 5) / (64 / 9 + 16)], rel=1e-12)
+    assert index.polynomial == "x - 45/104"

@@ -231,3 +231,41 @@ def test_symbols_of_a_loop_are_those_of_its_closed_posture(tmp_path: Path) -> No
     moved = sk.manipulability(sk.load(path, at={"qa": "0.3"}))
     assert not moved.symbolic.kinematic
     assert not moved.partition.symbolic
+
+
+SLIDER = """screwkit: 1
+name: slider
+space: planar
+geometry: posture
+base: ground
+platform: slider
+links: [ground, crank, rod, slider]
+parameters: {r: 1}
+variables: {x: 3, theta: {value: 1, angle: true}}
+points: {A: [r*cos(theta), r*sin(theta)], B: [x, 0]}
+joints:
+  - {name: a, type: revolute, parent: ground, child: crank, point: [0, 0]}
+  - {name: b, type: revolute, parent: crank, child: rod, point: A}
+  - {name: c, type: revolute, parent: rod, child: slider, point: B}
+  - {name: d, type: prismatic, parent: ground, child: slider, axis: [1, 0]}
+actuated: [a]
+"""
+
+
+def test_a_symbol_x_is_not_taken_for_the_value(tmp_path: Path) -> None:
+    """The piston: dx/dθ = -x r sin θ/(x - r cos θ), and it does not turn at all."""
+    path = tmp_path / "slider.yaml"
+    path.write_text(SLIDER, encoding="utf-8")
+    answer = sk.manipulability(sk.load(path))
+    x, r, theta = 3, 1, 1.0
+    value = (x * r * sin(theta) / (x - r * cos(theta))) ** 2
+    assert answer.kinematic.finite == pytest.approx([value])
+    formula, unknown = answer.symbolic.kinematic, answer.symbolic.unknown
+    assert unknown == "lambda"
+    given = {"value": value, "x": x, "r": r, "theta": theta, "cos": cos, "sin": sin}
+    python = formula.replace("lambda", "value").replace("^", "**")
+    assert eval(python, given) == pytest.approx(0, abs=1e-12)
+    assert "with the value λ" in " ".join(str(answer).split())
+    # What does not turn is not said to, by rounding, nor weighed against what slides.
+    assert answer.rotation.semi_axes == ()
+    assert not answer.units
