@@ -25,7 +25,12 @@ from screwkit.algebra.points import (
     with_extensions,
 )
 from screwkit.algebra.points_on import moved_onto, root_in
-from screwkit.algebra.substitution import Substitution, linear_parts, substituted
+from screwkit.algebra.substitution import (
+    Substitution,
+    linear_parts,
+    reduced,
+    substituted,
+)
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 
@@ -139,7 +144,7 @@ class Branch:
         values = list(entries)
         for step in self.steps:
             values = substituted(self.ring, values, step)
-        return self.without_roots(values)
+        return self.without_roots(reduced(values, self.steps))
 
     def without_roots(self, values: Sequence[Polynomial]) -> list[Polynomial]:
         """A vector on this branch with 0 for symbolic roots that are 0 on all of it."""
@@ -210,7 +215,7 @@ class Branch:
             return None
         point = whole
         for step in reversed(self.steps):
-            if step.relation is not None:
+            if step.relation is not None and step.relation[0] not in fixed:
                 index, _, polynomial = step.relation
                 root = root_in(polynomial, index, point, source, prime)
                 if root is None:
@@ -284,7 +289,7 @@ def restricted(
     found = []
     for step in steps:
         pending = _still_pending(branch, step)
-        if pending is None:
+        if pending is None or _contradicts(branch, step):
             continue
         whole = replace(step, condition=condition, companions=companions)
         found.append(
@@ -298,11 +303,19 @@ def restricted(
     return found
 
 
+def _contradicts(branch: Branch, step: Substitution) -> bool:
+    """Whether an angle that was solved in numbers would be another one."""
+    relations = [old.relation[2] for old in branch.steps if old.relation is not None]
+    left = substituted(branch.ring, relations, step) if relations else []
+    return any(value.is_constant() and value != 0 for value in left)
+
+
 def _still_pending(branch: Branch, step: Substitution) -> tuple[Pending, ...] | None:
     """The pending conditions after a step; None where one cannot hold any more."""
     left = []
     for pending in branch.pending:
-        value = substituted(branch.ring, [pending.value], step)[0]
+        after = substituted(branch.ring, [pending.value], step)
+        value = reduced(after, branch.steps)[0]
         if value == 0:
             continue
         if branch.assumptions.is_nonzero(branch.ring, value):

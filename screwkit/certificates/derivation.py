@@ -374,7 +374,8 @@ class _Search(Conditions):
             if divisor is not None:
                 return replace(case, end="divisor", divisor=divisor)
             angle, numbers = numbers_of(ring, own.equations[0])
-            return replace(case, end="unreal", angle=angle, numbers=numbers)
+            end = "elsewhere" if self.elsewhere(branch, own) else "unreal"
+            return replace(case, end=end, angle=angle, numbers=numbers)
         if self.is_of_dimensions(branch, own):
             return replace(case, end="special")
         if options[0].step is None:
