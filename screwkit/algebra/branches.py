@@ -181,8 +181,9 @@ class Branch:
     def points(self) -> tuple[tuple[Point, int], ...]:
         """Two random exact points and their primes; none where none was found."""
         source = random.Random(len(self.conditions) + 7)
-        found = [self.point(source) for _ in range(2)]
-        return tuple(p for p in found if p is not None) if all(found) else ()
+        first = self.point(source)
+        second = first and self.point(source)
+        return (first, second) if first and second else ()
 
     def vanishes(self, values: Sequence[Polynomial]) -> bool:
         """Whether a vector in the generators left is zero on all of the branch.

@@ -200,11 +200,6 @@ def a_case_called_elsewhere(document: dict[str, Any]) -> None:
     case.update(end="elsewhere", angle=0, numbers=["1", "0", "-2"])
 
 
-def a_special_node_without_roots(document: dict[str, Any]) -> None:
-    node = next(n for p in document["parts"] for n in nodes(p) if n.get("roots"))
-    node["roots"] = []
-
-
 def a_larger_locus(document: dict[str, Any]) -> None:
     part = next(p for p in document["parts"] if p["components"])
     part["components"].append(part["components"][0])
@@ -229,7 +224,6 @@ def a_larger_locus(document: dict[str, Any]) -> None:
         a_sum_of_other_conditions,
         a_sum_without_a_case,
         a_case_called_elsewhere,
-        a_special_node_without_roots,
         a_larger_locus,
     ],
 )
