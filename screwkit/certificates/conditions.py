@@ -13,7 +13,7 @@ from itertools import combinations
 from screwkit.algebra.branches import Branch, Pending, restricted
 from screwkit.algebra.division import Divisor, exact_quotient
 from screwkit.algebra.elimination import half_angle_steps, steps_of
-from screwkit.algebra.factors import Factor, FactorLibrary
+from screwkit.algebra.factors import Factor, FactorLibrary, factor
 from screwkit.algebra.half_angle import HalfAngles
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import text
@@ -162,6 +162,10 @@ class Conditions:
             if times is not None:
                 return Multiple(number, -1, text(branch.ring, times), over)
         return None
+
+    def factors(self, branch: Branch, value: Polynomial) -> list[tuple[Factor, int]]:
+        """The factors of a polynomial on a branch, with their powers."""
+        return [*factor(branch.ring, value, self.problem.library).factors]
 
     def positive(self, branch: Branch, own: Factor) -> bool:
         """Whether a factor vanishes nowhere by the signs of its terms."""

@@ -9,15 +9,15 @@ import pytest
 
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.parse import parse
-from screwkit.algebra.survey import SurveyRing
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
-from screwkit.case import load_text
-from screwkit.certificates.implications import (
+from screwkit.algebra.sums_of_conditions import (
     Combination,
     equal_leads,
     made_a_sum,
     sums_by_elimination,
 )
+from screwkit.algebra.survey import SurveyRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.case import load_text
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import Case, Part, Step, Unsolved
 from screwkit.certificates.roots import roots_of
