@@ -25,7 +25,12 @@ from screwkit.algebra.points import (
     with_extensions,
 )
 from screwkit.algebra.points_on import moved_onto, root_in
-from screwkit.algebra.substitution import Substitution, linear_parts, substituted
+from screwkit.algebra.substitution import (
+    Substitution,
+    linear_parts,
+    reduced,
+    substituted,
+)
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 
@@ -144,7 +149,7 @@ class Branch:
         values = list(entries)
         for step in self.steps:
             values = substituted(self.ring, values, step)
-        return self.without_roots(values)
+        return self.without_roots(reduced(values, self.steps))
 
     def without_roots(self, values: Sequence[Polynomial]) -> list[Polynomial]:
         """A vector on this branch with 0 for symbolic roots that are 0 on all of it."""
@@ -181,8 +186,9 @@ class Branch:
     def points(self) -> tuple[tuple[Point, int], ...]:
         """Two random exact points and their primes; none where none was found."""
         source = random.Random(len(self.conditions) + 7)
-        found = [self.point(source) for _ in range(2)]
-        return tuple(p for p in found if p is not None) if all(found) else ()
+        first = self.point(source)
+        second = first and self.point(source)
+        return (first, second) if first and second else ()
 
     def vanishes(self, values: Sequence[Polynomial]) -> bool:
         """Whether a vector in the generators left is zero on all of the branch.
@@ -215,7 +221,7 @@ class Branch:
             return None
         point = whole
         for step in reversed(self.steps):
-            if step.relation is not None:
+            if step.relation is not None and step.relation[0] not in fixed:
                 index, _, polynomial = step.relation
                 root = root_in(polynomial, index, point, source, prime)
                 if root is None:
@@ -290,7 +296,7 @@ def restricted(
     found = []
     for step in steps:
         pending = _still_pending(branch, step)
-        if pending is None:
+        if pending is None or _contradicts(branch, step):
             continue
         whole = replace(step, condition=condition, companions=companions)
         found.append(
@@ -304,11 +310,19 @@ def restricted(
     return found
 
 
+def _contradicts(branch: Branch, step: Substitution) -> bool:
+    """Whether an angle that was solved in numbers would be another one."""
+    relations = [old.relation[2] for old in branch.steps if old.relation is not None]
+    left = substituted(branch.ring, relations, step) if relations else []
+    return any(value.is_constant() and value != 0 for value in left)
+
+
 def _still_pending(branch: Branch, step: Substitution) -> tuple[Pending, ...] | None:
     """The pending conditions after a step; None where one cannot hold any more."""
     left = []
     for pending in branch.pending:
-        value = substituted(branch.ring, [pending.value], step)[0]
+        after = substituted(branch.ring, [pending.value], step)
+        value = reduced(after, branch.steps)[0]
         if value == 0:
             continue
         if branch.assumptions.is_nonzero(branch.ring, value):

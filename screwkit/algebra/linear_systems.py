@@ -42,27 +42,27 @@ def linear_systems(
 ) -> list[LinearSystem]:
     """The smallest systems of at least two conditions, shortest determinants first."""
     degrees = [p.degrees() for p in conditions]
-    # A symbol in another power, or in more conditions, is in no system.
-    linear = [
-        i
+    where = {
+        i: {k for k, d in enumerate(degrees) if d[i]}
         for i in ring.symbol_indices()
-        if max(d[i] for d in degrees) == 1 and sum(d[i] for d in degrees) <= LARGEST
-    ]
+        if max(d[i] for d in degrees) == 1
+    }
     found: list[LinearSystem] = []
     for size in range(2, min(len(conditions), LARGEST) + 1):
-        for chosen in combinations(linear, size):
-            own = [k for k, d in enumerate(degrees) if any(d[i] for i in chosen)]
-            if len(own) == size and all(
-                sum(int(exponents[i]) for i in chosen) <= 1
-                for k in own
-                for exponents in conditions[k].monoms()
-            ):
-                whole = _determinant(ring, [conditions[k] for k in own], chosen)
-                if whole != 0:
-                    found.append(LinearSystem(tuple(own), chosen, whole))
+        for own in combinations(range(len(conditions)), size):
+            inside = [i for i, places in where.items() if places <= {*own}]
+            for chosen in combinations(inside, size):
+                if set().union(*(where[i] for i in chosen)) == {*own} and all(
+                    sum(int(exponents[i]) for i in chosen) <= 1
+                    for k in own
+                    for exponents in conditions[k].monoms()
+                ):
+                    whole = _determinant(ring, [conditions[k] for k in own], chosen)
+                    if whole != 0:
+                        found.append(LinearSystem(own, chosen, whole))
         if found:
             break
-    return sorted(found, key=lambda system: len(system.determinant))
+    return sorted(found, key=lambda own: (len(own.determinant), own.symbols))
 
 
 def solved_at(

@@ -57,13 +57,25 @@ def substituted(
         power = power_of(values, step)
         replaced = [_fraction_free(ring, value, step, power) for value in values]
     normal = [ring.normal(value) for value in replaced]
-    if step.relation is not None:
-        index, degree, relation = step.relation
-        normal = [
-            divmod(v, relation)[1] if v != 0 and v.degrees()[index] >= degree else v
-            for v in normal
-        ]
-    return normal
+    return reduced(normal, [step])
+
+
+def reduced(
+    values: Sequence[Polynomial], steps: Sequence[Substitution]
+) -> list[Polynomial]:
+    """Polynomials modulo the relations of some steps.
+
+    A step may bring powers of a generator back in which an earlier step has a relation.
+    """
+    found = list(values)
+    for step in steps:
+        if step.relation is not None:
+            index, degree, relation = step.relation
+            found = [
+                divmod(v, relation)[1] if v != 0 and v.degrees()[index] >= degree else v
+                for v in found
+            ]
+    return found
 
 
 def power_of(values: Sequence[Polynomial], step: Substitution) -> int:

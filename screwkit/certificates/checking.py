@@ -337,6 +337,8 @@ class _PartCheck:
             a, b, c = self._solutions.numbers(case, case.angle, case.numbers, way)
             if c * c <= a * a + b * b:
                 raise RefusedError(f"{case.equations[0]} has real solutions")
+        elif case.end == "elsewhere":
+            self._solutions.elsewhere(case, way)
         elif case.end == "divisor":
             self._divides(case, way)
         elif case.end:

@@ -10,15 +10,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
-from screwkit.algebra.branches import Branch, Pending
+from screwkit.algebra.branches import Branch, Pending, restricted
 from screwkit.algebra.division import Divisor, exact_quotient
 from screwkit.algebra.elimination import half_angle_steps, steps_of
-from screwkit.algebra.factors import Factor, FactorLibrary
+from screwkit.algebra.factors import Factor, FactorLibrary, factor
 from screwkit.algebra.half_angle import HalfAngles
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.restrictions import Layout
-from screwkit.algebra.substitution import Substitution, substituted
+from screwkit.algebra.substitution import Substitution, reduced, substituted
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.certificates.minor_choice import Matrix
 from screwkit.certificates.records import Multiple, Unsolved
@@ -26,6 +26,7 @@ from screwkit.certificates.roots import NotProvedError, roots_of
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.steps import (
     followed,
+    numbers_of,
     subtracted,
 )
 from screwkit.certificates.texts import read
@@ -162,15 +163,36 @@ class Conditions:
                 return Multiple(number, -1, text(branch.ring, times), over)
         return None
 
+    def factors(self, branch: Branch, value: Polynomial) -> list[tuple[Factor, int]]:
+        """The factors of a polynomial on a branch, with their powers."""
+        return [*factor(branch.ring, value, self.problem.library).factors]
+
     def positive(self, branch: Branch, own: Factor) -> bool:
         """Whether a factor vanishes nowhere by the signs of its terms."""
         if not branch.assumptions.is_nonzero(branch.ring, own.equations[0]):
             return False
         return self.problem.signs.never_zero(read(text(branch.ring, own.equations[0])))
 
+    def elsewhere(self, branch: Branch, own: Factor) -> bool:
+        """Whether an angle that was solved in numbers is no zero of a factor in it."""
+        try:
+            angle, _ = numbers_of(branch.ring, own.equations[0])
+        except ValueError:
+            return False
+        return not restricted(branch, own.equations[0]) and any(
+            old.relation is not None
+            and old.condition is not None
+            and numbers_of(branch.ring, old.condition)[0] == angle
+            for old in branch.steps
+        )
+
     def vanishes_nowhere(self, branch: Branch, own: Factor) -> bool:
-        """By the signs of its terms, or as a divisor."""
-        return self.positive(branch, own) or self.in_divisor(branch, own) is not None
+        """By the signs of its terms, as a divisor, or in numbers."""
+        return (
+            self.positive(branch, own)
+            or self.in_divisor(branch, own) is not None
+            or self.elsewhere(branch, own)
+        )
 
     def steps(self, branch: Branch, own: Factor) -> list[Substitution] | None:
         """How a factor is solved, one step a sheet; None where it is not."""
@@ -201,7 +223,8 @@ class Conditions:
             whole = replace(step, condition=condition, companions=companions)
             left, impossible = list[Pending](), None
             for old in branch.pending:
-                value = substituted(branch.ring, [old.value], step)[0]
+                after = substituted(branch.ring, [old.value], step)
+                value = reduced(after, branch.steps)[0]
                 if value == 0:
                     continue
                 if branch.assumptions.is_nonzero(branch.ring, value):

@@ -10,31 +10,25 @@ References: [CoxLittleOShea] §9.1; docs/decisions/0019-certificates.md.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from itertools import chain
 from typing import TypeAlias
 
-from screwkit.algebra.branches import Branch, without
-from screwkit.algebra.factors import Factor, factor
-from screwkit.algebra.points import Point, residue
+from screwkit.algebra.branches import without
+from screwkit.algebra.factors import Factor
+from screwkit.algebra.points import Point
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.certificates.conditions import Conditions, Option, Place, Problem
-from screwkit.certificates.implications import (
-    Combination,
-    equal_leads,
-    made_a_sum,
-    sums_by_elimination,
-)
 from screwkit.certificates.minor_choice import Minor, minors_on
-from screwkit.certificates.records import Case, Multiple, Node, Sheet, Unsolved
+from screwkit.certificates.records import Case, Node, Sheet, Unsolved
 from screwkit.certificates.roots import NotProvedError
 from screwkit.certificates.steps import (
     followed,
     numbers_of,
     written_step,
 )
+from screwkit.certificates.sums import Sum, implied_equation, solvable_sum
 from screwkit.certificates.texts import read
 
 NODES = 600
@@ -79,9 +73,9 @@ class _Search(Conditions):
             return ended
         found = (
             self.split_condition(place, number)
-            or self.combined(place, number)
+            or self.of_a_sum(place, number, solvable_sum(self, place))
             or self.special(place, number)
-            or self.implied(place, number)
+            or self.of_a_sum(place, number, implied_equation(self, place))
             or self.by_minor(place, number)
         )
         self.finished.append((number, self.equations(place)))
@@ -135,90 +129,13 @@ class _Search(Conditions):
             return Node(number, condition=index, over=over, cases=cases)
         return None
 
-    def combined(self, place: Place, number: int) -> Node | None:
-        """The node of conditions that imply a product of solvable factors."""
-        branch = place.branch
-        values = [pending.value for pending in branch.pending]
-        for found in chain(
-            equal_leads(branch.ring, values),
-            sums_by_elimination(branch.ring, values, 0),
-            sums_by_elimination(branch.ring, values, 1),
-        ):
-            factors = self.factors(branch, found.value)
-            if all(
-                self.steps(branch, own) is not None
-                or self.vanishes_nowhere(branch, own)
-                for own, _ in factors
-            ):
-                numbers = [place.number(pending) for pending in branch.pending]
-                return self.by_sum(place, number, numbers, found, factors)
-        return None
-
-    def implied(self, place: Place, number: int) -> Node | None:
-        """The node of conditions that imply an equation of a component.
-
-        A multiple of the equation is a sum of multiples of them.
-        """
-        branch = place.branch
-        on_branch = {
-            number: followed(branch, [condition])[0][0]
-            for number, condition in enumerate(place.conditions)
-        }
-        numbers = [number for number, value in on_branch.items() if value != 0]
-        values = [on_branch[number] for number in numbers]
-        if len(values) < 2:
+    def of_a_sum(self, place: Place, number: int, found: Sum | None) -> Node | None:
+        """The node of a sum of multiples of conditions, where there is one."""
+        if found is None:
             return None
-        for equations in self.problem.components:
-            if branch.points and not self.all_vanish(equations, branch):
-                continue
-            for equation in equations:
-                if self.multiples(place, [equation]) is not None:
-                    continue
-                value = followed(branch, [equation])[0][0]
-                for own, _ in self.factors(branch, value):
-                    if len(own.equations) > 1 or any(
-                        residue(own.equations[0], *at) for at in branch.points
-                    ):
-                        continue
-                    found = made_a_sum(
-                        branch.ring, own.equations[0], values, self.is_free(place)
-                    )
-                    if found is not None:
-                        factors = self.factors(branch, found.value)
-                        return self.by_sum(place, number, numbers, found, factors)
-        return None
-
-    def is_free(self, place: Place) -> Callable[[Polynomial], bool]:
-        """Tells polynomials that do not vanish on all of a node, as far as is seen."""
-        branch = place.branch
-        if branch.points:
-            return lambda value: not self.all_vanish([value], branch)
-        known = {str(primitive(c)) for c in place.conditions}
-        return lambda value: str(primitive(value)) not in known
-
-    def by_sum(
-        self,
-        place: Place,
-        number: int,
-        conditions: Sequence[int],
-        found: Combination,
-        factors: Sequence[tuple[Factor, int]],
-    ) -> Node:
-        """The node of a sum of multiples of conditions, given by their numbers."""
-        branch = place.branch
-        sums = tuple(
-            Multiple(
-                -1,
-                condition,
-                text(branch.ring, times),
-                followed(branch, [place.conditions[condition]])[1],
-            )
-            for condition, times in zip(conditions, found.times, strict=True)
-            if times != 0
-        )
-        options = self.options(place, factors)
-        cases = self.cases(place, factors, options)
-        return Node(number, combination=sums, cases=cases)
+        options = self.options(place, found.factors)
+        cases = self.cases(place, found.factors, options)
+        return Node(number, combination=found.terms, cases=cases)
 
     def special(self, place: Place, number: int) -> Node | None:
         """The node of dimensions that are tied to each other."""
@@ -299,10 +216,6 @@ class _Search(Conditions):
             return matrix.freedom_at(*at) > 0
         return matrix.rank_at(*at) < self.rank
 
-    def factors(self, branch: Branch, value: Polynomial) -> list[tuple[Factor, int]]:
-        """The factors of a polynomial on a branch, with their powers."""
-        return [*factor(branch.ring, value, self.problem.library).factors]
-
     # -- cases -----------------------------------------------------------------------
 
     def options(
@@ -374,7 +287,8 @@ class _Search(Conditions):
             if divisor is not None:
                 return replace(case, end="divisor", divisor=divisor)
             angle, numbers = numbers_of(ring, own.equations[0])
-            return replace(case, end="unreal", angle=angle, numbers=numbers)
+            end = "elsewhere" if self.elsewhere(branch, own) else "unreal"
+            return replace(case, end=end, angle=angle, numbers=numbers)
         if self.is_of_dimensions(branch, own):
             return replace(case, end="special")
         if options[0].step is None:

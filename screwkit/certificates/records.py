@@ -110,11 +110,12 @@ class Case:
         power: Of the factor in the product; half-angle factors count squares.
         end: Why nothing follows: ``positive`` (the signs of its terms), ``unreal``
             (no real solution), ``special`` (it ties the dimensions of the mechanism to
-            each other), ``divisor`` (it divides what a step has divided by); empty if
+            each other), ``divisor`` (it divides what a step has divided by),
+            ``elsewhere`` (an angle that a step gives in numbers is not there); empty if
             something does.
         divisor: Of which step, and what else is in it: `Multiple` with the number of
             the step as its equation.
-        numbers: (a, b, c) of an unreal a·sin φ + b·cos φ + c = 0.
+        numbers: (a, b, c) of an a·sin φ + b·cos φ + c = 0 that is unreal or elsewhere.
         angle: Its basis angle.
         sheets: What follows where the case is solved.
         kept: What follows where it is not, with the equation as a condition.

@@ -123,6 +123,21 @@ class Solutions:
                 raise RefusedError(f"{case.equations[0]} has other numbers")
         return a, b, c
 
+    def elsewhere(self, case: Case, way: Way) -> None:
+        """Whether an angle solved in numbers is never where an equation in it holds."""
+        angle = case.angle
+        own = self.numbers(case, angle, case.numbers, Way())
+        for step in way.steps:
+            if step.kind != "numbers" or step.angle != angle:
+                continue
+            a, b, c = map(fraction, step.numbers)
+            u, v, w = own
+            below = a * v - b * u
+            sine, cosine = b * w - c * v, c * u - a * w  # times below
+            if sine**2 + cosine**2 != below**2:
+                return
+        raise RefusedError(f"{case.equations[0]} may vanish")
+
     def _pair(self, case: Case, step: Step, way: Way) -> None:
         """Two equations linear in sine and cosine with a determinant never zero."""
         if not self._signs.never_zero(read(step.over)):

@@ -12,6 +12,7 @@ from screwkit.algebra.substitution import (
     Substitution,
     angle_parts,
     power_of,
+    reduced,
     substituted,
 )
 from screwkit.algebra.trigonometric import (
@@ -99,7 +100,7 @@ def followed(
         if power:
             powers[str(number)] = power
         values = substituted(branch.ring, values, step)
-    return values, powers
+    return reduced(values, branch.steps), powers
 
 
 def added(*powers: Mapping[str, int]) -> dict[str, int]:

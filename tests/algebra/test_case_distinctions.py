@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from screwkit.algebra.assumptions import Assumptions
-from screwkit.algebra.branches import Branch
+from screwkit.algebra.branches import Branch, Pending, restricted
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.factors import FactorLibrary
@@ -138,3 +138,37 @@ def test_what_is_zero_nowhere_is_divided_out() -> None:
     assert found in (plain, -plain)
     (kept,) = without_nowhere_zero(ring, [plain * plain], [divisor])
     assert kept == plain * plain
+
+
+def test_an_angle_in_numbers_is_not_two_angles() -> None:
+    """Cosine and sine 1/2 are no point of the circle; 3/5 and 4/5 are one."""
+    _, none = zeros("2*cos(q) - 1", "2*sin(q) - 1")
+    assert none.complete
+    assert not none.branches
+    texts = "5*cos(q) - 3", "5*sin(q) - 4"
+    ring, found = zeros(*texts)
+    assert found.branches
+    _, conditions = polynomials(*texts)
+    for branch in found.branches:
+        assert branch.points
+        assert not any(residue(c, *at) for c in conditions for at in branch.points)
+    assert ring.basis
+
+
+def test_what_an_angle_in_numbers_implies_holds_after_later_steps() -> None:
+    """With s = 3 − 4c on the circle 17c² − 24c + 8 = 0, also when x takes c's place."""
+    ring, (angle, equal, implied) = polynomials(
+        "sin(q) + 4*cos(q) - 3", "x - cos(q)", "17*x^2 - 24*x + 8"
+    )
+    (first,) = restricted(Branch(ring, POSITIVE), angle)
+    (second,) = restricted(first, first.value(equal))
+    assert second.value(implied) == 0
+
+
+def test_conditions_that_follow_from_others_leave_points() -> None:
+    """The three minors of a matrix of two rows: where two vanish so does the third."""
+    ring, minors = polynomials("x*y - z*w", "x*u - z*v", "w*u - y*v")
+    pending = tuple(Pending(minor, minor) for minor in minors)
+    branch = Branch(ring, POSITIVE, tuple(minors), pending=pending, thorough=True)
+    assert branch.points
+    assert not any(residue(minor, *at) for minor in minors for at in branch.points)

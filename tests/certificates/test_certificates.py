@@ -42,6 +42,9 @@ PROVED = (
     "exechon",
     "2upr_rpu",
     "rssr",
+    "4H_equal_pitch",
+    "5H_parallel",
+    "gough_33_octahedral",
 )
 
 
@@ -168,6 +171,35 @@ def a_proof_cut_off(document: dict[str, Any]) -> None:
     node["cases"] = []
 
 
+def a_sum(document: dict[str, Any]) -> dict[str, Any]:
+    found = (n for p in document["parts"] for n in nodes(p) if n.get("combination"))
+    return next(found)
+
+
+def a_sum_without_a_term(document: dict[str, Any]) -> None:
+    del a_sum(document)["combination"][0]
+
+
+def a_sum_of_other_multiples(document: dict[str, Any]) -> None:
+    a_sum(document)["combination"][0]["times"] += " + 1"
+
+
+def a_sum_of_other_conditions(document: dict[str, Any]) -> None:
+    for term in a_sum(document)["combination"]:
+        term["condition"] = 1 - min(term["condition"], 1)
+
+
+def a_sum_without_a_case(document: dict[str, Any]) -> None:
+    del a_sum(document)["cases"][-1]
+
+
+def a_case_called_elsewhere(document: dict[str, Any]) -> None:
+    case = next(c for c in every_case(document) if "sheets" in c or "kept" in c)
+    case.pop("sheets", None)
+    case.pop("kept", None)
+    case.update(end="elsewhere", angle=0, numbers=["1", "0", "-2"])
+
+
 def a_larger_locus(document: dict[str, Any]) -> None:
     part = next(p for p in document["parts"] if p["components"])
     part["components"].append(part["components"][0])
@@ -187,12 +219,17 @@ def a_larger_locus(document: dict[str, Any]) -> None:
         an_earlier_node_that_is_not,
         other_columns,
         a_proof_cut_off,
+        a_sum_without_a_term,
+        a_sum_of_other_multiples,
+        a_sum_of_other_conditions,
+        a_sum_without_a_case,
+        a_case_called_elsewhere,
         a_larger_locus,
     ],
 )
 def test_forgeries_are_refused(forge: Callable[[dict[str, Any]], None]) -> None:
     forged = 0
-    for name in ("spherical_3rrr", "dual_planar_arm", "3upu_tsai"):
+    for name in ("spherical_3rrr", "dual_planar_arm", "3upu_tsai", "5H_parallel"):
         document = json.loads(certificate(name))
         try:
             forge(document)

@@ -114,7 +114,7 @@ def _monomials(
     ring: TrigonometricRing, conditions: Sequence[Polynomial], degree: int
 ) -> list[Polynomial]:
     """In the generators that occur, up to a degree, times square roots of numbers."""
-    gens = ring.context.gens()
+    gens = ring.context.gens()[: len(ring.names)]
     roots = {*ring.constant_generators}
     used = [
         gen

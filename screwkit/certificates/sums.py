@@ -1,0 +1,115 @@
+"""Sums of multiples of conditions that are products on a node: what they say there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import chain
+
+from screwkit.algebra.factors import Factor
+from screwkit.algebra.points import residue
+from screwkit.algebra.polynomial_text import text
+from screwkit.algebra.sums_of_conditions import (
+    Combination,
+    equal_leads,
+    made_a_sum,
+    sums_by_elimination,
+)
+from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.certificates.conditions import Conditions, Place
+from screwkit.certificates.records import Multiple
+from screwkit.certificates.steps import followed
+
+
+@dataclass(frozen=True)
+class Sum:
+    """A sum and what it is.
+
+    Attributes:
+        terms: Multiples of conditions of the way.
+        factors: Of the sum on the node, with their powers.
+    """
+
+    terms: tuple[Multiple, ...]
+    factors: tuple[tuple[Factor, int], ...]
+
+
+def solvable_sum(known: Conditions, place: Place) -> Sum | None:
+    """A sum all of whose factors can be solved or vanish nowhere; None if not found."""
+    branch = place.branch
+    values = [pending.value for pending in branch.pending]
+    for found in chain(
+        equal_leads(branch.ring, values),
+        sums_by_elimination(branch.ring, values, 0),
+        sums_by_elimination(branch.ring, values, 1),
+    ):
+        factors = known.factors(branch, found.value)
+        if all(
+            known.steps(branch, own) is not None or known.vanishes_nowhere(branch, own)
+            for own, _ in factors
+        ):
+            numbers = [place.number(pending) for pending in branch.pending]
+            return Sum(_terms(place, numbers, found), tuple(factors))
+    return None
+
+
+def implied_equation(known: Conditions, place: Place) -> Sum | None:
+    """A sum that is a multiple of an equation of a component; None if not found."""
+    branch = place.branch
+    on_branch = {
+        number: followed(branch, [condition])[0][0]
+        for number, condition in enumerate(place.conditions)
+    }
+    numbers = [number for number, value in on_branch.items() if value != 0]
+    values = [on_branch[number] for number in numbers]
+    if len(values) < 2:
+        return None
+    for equation in _wanted(known, place):
+        found = made_a_sum(branch.ring, equation, values, _is_free(known, place))
+        if found is not None:
+            factors = known.factors(branch, found.value)
+            return Sum(_terms(place, numbers, found), tuple(factors))
+    return None
+
+
+def _wanted(known: Conditions, place: Place) -> list[Polynomial]:
+    """Factors of equations of components that seem to hold, and are not shown to."""
+    branch = place.branch
+    found = []
+    for equations in known.problem.components:
+        if branch.points and not known.all_vanish(equations, branch):
+            continue
+        for equation in equations:
+            if known.multiples(place, [equation]) is not None:
+                continue
+            value = followed(branch, [equation])[0][0]
+            for own, _ in known.factors(branch, value):
+                first, *more = own.equations
+                if not more and not any(residue(first, *at) for at in branch.points):
+                    found.append(first)
+    return found
+
+
+def _is_free(known: Conditions, place: Place) -> Callable[[Polynomial], bool]:
+    """Tells polynomials that do not vanish on all of a node, as far as is seen."""
+    branch = place.branch
+    if branch.points:
+        return lambda value: not known.all_vanish([value], branch)
+    held = {str(primitive(c)) for c in place.conditions}
+    return lambda value: str(primitive(value)) not in held
+
+
+def _terms(
+    place: Place, conditions: Sequence[int], found: Combination
+) -> tuple[Multiple, ...]:
+    branch = place.branch
+    return tuple(
+        Multiple(
+            -1,
+            condition,
+            text(branch.ring, times),
+            followed(branch, [place.conditions[condition]])[1],
+        )
+        for condition, times in zip(conditions, found.times, strict=True)
+        if times != 0
+    )

@@ -1,0 +1,162 @@
+"""Rules of certificates: sums of conditions, roots together, angles in numbers."""
+
+from __future__ import annotations
+
+import random
+from itertools import islice
+
+import pytest
+
+from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.parse import parse
+from screwkit.algebra.sums_of_conditions import (
+    Combination,
+    equal_leads,
+    made_a_sum,
+    sums_by_elimination,
+)
+from screwkit.algebra.survey import SurveyRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.case import load_text
+from screwkit.certificates.postures import Postures, Way
+from screwkit.certificates.records import Case, Part, Step, Unsolved
+from screwkit.certificates.roots import roots_of
+from screwkit.certificates.signs import Signs
+from screwkit.certificates.solutions import Solutions
+from screwkit.certificates.texts import RefusedError, read
+
+ARM = """
+screwkit: 1
+name: arm
+base: ground
+platform: tip
+links: [ground, arm, tip]
+geometry: posture
+variables:
+  q: {value: 0.3, angle: true}
+  x: 1
+  y: 2
+  z: 3
+joints:
+  - {name: "1", type: revolute, parent: ground, child: arm, axis: [0, 0, 1],
+     point: [x, y, z]}
+  - {name: "2", type: revolute, parent: arm, child: tip, axis: [0, 0, 1],
+     point: [cos(q), sin(q), 0]}
+"""
+
+
+def polynomials(*texts: str) -> tuple[TrigonometricRing, list[Polynomial]]:
+    seen = SurveyRing()
+    for text in texts:
+        evaluate(parse(text), seen)
+    ring = TrigonometricRing(seen)
+    return ring, [ring.normal(evaluate(parse(text), ring)) for text in texts]
+
+
+def arm() -> Postures:
+    part = Part("limb", "ground", ({"q": 1},), 2, (), limb="limb_1")
+    return Postures(load_text(ARM).mechanism, part, random.Random(3))
+
+
+def is_sum(
+    ring: TrigonometricRing, found: Combination, conditions: list[Polynomial]
+) -> bool:
+    total = sum(
+        (t * c for t, c in zip(found.times, conditions, strict=True)), ring.zero
+    )
+    return bool(ring.normal(total) == found.value)
+
+
+def test_elimination_shows_that_three_conics_do_not_meet() -> None:
+    """Two of them imply 4uv = √3 between them, the third says 4uv = −√3."""
+    ring, conditions = polynomials(
+        "u^2 + 2*sqrt(3)*u*v - v^2 - 1",
+        "3*u^2 - 2*sqrt(3)*u*v - 3*v^2 + 3",
+        "4*u*v + sqrt(3)",
+    )
+    found = [*sums_by_elimination(ring, conditions, 0)]
+    assert any(own.value.is_constant() for own in found)
+    found += [*equal_leads(ring, conditions)]
+    found += [*sums_by_elimination(ring, conditions, 1)]
+    assert all(own.value != 0 and is_sum(ring, own, conditions) for own in found)
+
+
+def test_a_minor_times_an_entry_is_a_sum_of_the_other_minors() -> None:
+    """x·(w u − y v) = w·(x u − z v) − v·(x y − z w): Plücker's relation."""
+    ring, (first, second, third) = polynomials("x*y - z*w", "x*u - z*v", "w*u - y*v")
+    found = made_a_sum(ring, third, [first, second], lambda value: True)
+    assert found is not None
+    assert is_sum(ring, found, [first, second])
+    assert divmod(found.value, third)[1] == 0
+    # Where every leading coefficient vanishes nothing follows.
+    assert made_a_sum(ring, third, [first, second], lambda value: False) is None
+
+
+def test_conditions_linear_in_three_symbols_are_met_together() -> None:
+    texts = (
+        "x + 2*y*cos(q) + z - 1",
+        "x*sin(q) - y + 3*z",
+        "x - y*cos(q)^3 + z*sin(q) + 5",
+    )
+    ring, conditions = polynomials(*texts)
+    (system,) = roots_of(ring, conditions)
+    assert {u.symbol for u in (system, *system.together)} == {"x", "y", "z"}
+    for point in islice(arm().on(Way(), (system,)), 4):
+        assert all(point.value(read(text)) == 0 for text in texts)
+
+
+def test_only_symbols_are_solved_for_together() -> None:
+    system = Unsolved(
+        "x + sin(q)", symbol="x", together=(Unsolved("x - cos(q)", angle=0),)
+    )
+    with pytest.raises(RefusedError, match="no symbol"):
+        next(arm().on(Way(), (system,)))
+
+
+def test_postures_meet_what_was_given_no_root() -> None:
+    """Of (x − 1)(x − 2) = 0 the root 1 is taken where x·y = y is a condition too."""
+    way = Way((), ("(x - 1)*(x - 2)", "x*y - y"))
+    roots = (Unsolved("(x - 1)*(x - 2)", symbol="x", degree=2),)
+    for _, point in islice(arm().meeting(way, roots), 4):
+        assert point.symbol("x") == 1
+    with pytest.raises(RefusedError, match="no root"):
+        next(arm().meeting(Way((), ("(x - 1)*(x - 2)", "x - 3")), roots))
+
+
+# cos q = 1/2 on the way: sin q is ±√3/2, so 2·sin q = 1 is elsewhere.
+HALF = Way((Step("numbers", angle=0, numbers=("0", "2", "-1")),))
+
+
+def elsewhere(text: str, *numbers: str) -> Case:
+    return Case((text,), 1, end="elsewhere", angle=0, numbers=numbers)
+
+
+def test_an_angle_in_numbers_is_nowhere_else() -> None:
+    solutions = Solutions(arm(), Signs(set(), set()))
+    solutions.elsewhere(elsewhere("2*sin(q) - 1", "2", "0", "-1"), HALF)
+    solutions.elsewhere(elsewhere("cos(q) + 3", "0", "1", "3"), HALF)
+
+
+@pytest.mark.parametrize(
+    ("case", "way"),
+    [
+        # The same equation again.
+        (elsewhere("4*cos(q) - 2", "0", "4", "-2"), HALF),
+        # A point of the circle that the way's equation has too.
+        (
+            elsewhere("5*sin(q) - 4", "5", "0", "-4"),
+            Way((Step("numbers", angle=0, numbers=("0", "5", "-3")),)),
+        ),
+        # Other numbers than those of the equation.
+        (elsewhere("4*cos(q) - 2", "2", "0", "-1"), HALF),
+        # Nothing on the way fixes the angle.
+        (elsewhere("2*sin(q) - 1", "2", "0", "-1"), Way()),
+        # Not in numbers.
+        (elsewhere("2*sin(q) - x", "2", "0", "-1"), HALF),
+    ],
+)
+def test_false_claims_about_an_angle_in_numbers_are_refused(
+    case: Case, way: Way
+) -> None:
+    with pytest.raises(RefusedError):
+        Solutions(arm(), Signs(set(), set())).elsewhere(case, way)
