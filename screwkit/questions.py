@@ -193,7 +193,13 @@ def singularities(
     return answer
 
 
-def distance(case: Case, length: str = "", progress: Progress = silent) -> Distance:
+def distance(
+    case: Case,
+    length: str = "",
+    progress: Progress = silent,
+    within: Sequence[str] = (),
+    finished: Callable[[str, Any], None] = lambda name, part: None,
+) -> Distance:
     """How far the posture is from the nearest singularity of each kind.
 
     Args:
@@ -201,17 +207,22 @@ def distance(case: Case, length: str = "", progress: Progress = silent) -> Dista
         length: A length that counts as one radian; a number or an expression of
             constants, the characteristic length by default.
         progress: Told about each stage.
+        within: Limits of symbols that move the mechanism, ``"x=-0.1:0.1"`` each, or of
+            freedoms, which count from the posture; what is outside does not count.
+        finished: Given the answer so far after each singularity.
 
     Raises:
         UndecidedError: If a symbol has no value, the posture is not reached, or no
             joint moves.
-        ExpressionError: If the length is no positive constant.
+        UnknownNameError: If a limit is of nothing that moves.
+        ExpressionError: If the length is no positive constant, or a limit no range, or
+            the posture outside the limits.
         MechanismFileError: If no limb holds the platform.
     """
     from screwkit.distances import distance_of  # noqa: PLC0415
 
     case.need_held_platform()
-    return distance_of(case, measure_of(length), progress)
+    return distance_of(case, measure_of(length), within, progress, finished)
 
 
 def schemes(

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from itertools import chain
 
+import numpy as np
+
+from screwkit.algebra.batch import Array
 from screwkit.algebra.closed_values import closed_value
 from screwkit.algebra.expression import Expression
 from screwkit.algebra.expression_building import substitute
-from screwkit.algebra.names import limb_called
+from screwkit.algebra.names import did_you_mean, limb_called
 from screwkit.analyses.distance import (
     Kind,
     Posture,
@@ -16,21 +21,28 @@ from screwkit.analyses.distance import (
     distances_to_components,
     kinds_of,
 )
-from screwkit.errors import UndecidedError
+from screwkit.errors import ExpressionError, UndecidedError, UnknownNameError
 from screwkit.finite.moved_posture import arrival_at, departure
 from screwkit.finite.posture_model import PostureModel
 from screwkit.finite.table_search import closed_posture
 from screwkit.kinematics.placement import why_tied
 from screwkit.kinematics.values import declared_values, with_values
 from screwkit.mechanism.graph import independent_loops
-from screwkit.mechanism.joints import CATALOGUE, RIGID
+from screwkit.mechanism.joints import CATALOGUE, RIGID, freedom_labels
 from screwkit.mechanism.model import Mechanism
 from screwkit.metrics.joint_space import JointSpace, joint_space, pose_origin
+from screwkit.metrics.limited import Limits
 from screwkit.metrics.motion_chart import MotionChart, motion_chart
-from screwkit.metrics.singular_distance import chart_search, joint_search
+from screwkit.metrics.posture_samples import Interval
+from screwkit.metrics.singular_distance import Search, chart_search, joint_search
 from screwkit.metrics.symbol_motion import symbol_motion
 from screwkit.progress import Progress, silent
-from screwkit.results.distance import Distance, DistanceMeasure, SingularityDistance
+from screwkit.results.distance import (
+    Distance,
+    DistanceMeasure,
+    SingularityDistance,
+    Within,
+)
 from screwkit.results.singularities import Singularities
 
 
@@ -43,12 +55,15 @@ class Asked:
         at: Values of joint variables that nothing ties.
         moved: Values of joint variables that loops tie: it is still to be moved there.
         length: That counts as one radian; None for the characteristic length.
+        within: Limits of symbols that move the mechanism, or of how far freedoms move
+            from the posture; in radians and file lengths.
     """
 
     mechanism: Mechanism
     at: Mapping[str, Expression]
     moved: Mapping[str, Expression]
     length: float | None
+    within: Mapping[str, Interval] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -57,7 +72,7 @@ class Moving:
 
     Attributes:
         chart: None where none does.
-        whole: Whether they describe all of its motion.
+        whole: Whether all that is looked at moves by them.
         remarks: What the answer has to say of them.
     """
 
@@ -99,12 +114,70 @@ def moving_symbols(asked: Asked) -> Moving:
     return Moving(chart, whole=False, remarks=(said,))
 
 
+def keeping_to_limits(asked: Asked, moving: Moving) -> Moving:
+    """Look along symbols where limits are of symbols, in joints where of freedoms.
+
+    Raises:
+        UnknownNameError: If a limit is of neither.
+        ExpressionError: If some are of the one and some of the other.
+    """
+    if not asked.within:
+        return moving
+    symbols = () if moving.chart is None else moving.chart.names
+    space = asked.mechanism.space
+    freedoms = [x for j in asked.mechanism.joints for x in freedom_labels(j, space)]
+    for name in asked.within:
+        if name not in symbols and name not in freedoms:
+            known = [*symbols, *freedoms]
+            raise UnknownNameError(
+                f"no symbol that moves the mechanism, and no freedom, is called "
+                f"{name!r}{did_you_mean(name, known)}"
+            )
+    if not asked.within.keys() - set(symbols):
+        if moving.whole:
+            return moving
+        said = "limits are of symbols: what lies beside these is not looked for"
+        return Moving(moving.chart, whole=True, remarks=(*moving.remarks, said))
+    others = [name for name in asked.within if name not in freedoms]
+    if others:
+        raise ExpressionError(
+            f"limits are of symbols or of freedoms, and {others[0]!r} is no freedom; "
+            f"give limits of one kind"
+        )
+    return Moving(None, whole=False, remarks=moving.remarks)
+
+
+def _limits(
+    within: Mapping[str, Interval], names: Sequence[str], start: Array, units: Array
+) -> Limits:
+    """Limits of coordinates.
+
+    Raises:
+        ExpressionError: If the posture itself lies outside.
+    """
+    low, high = np.full(len(names), -np.inf), np.full(len(names), np.inf)
+    for i, name in enumerate(names):
+        if name in within:
+            low[i], high[i] = np.array(within[name]) / units[i]
+    limits = Limits(low, high)
+    if not limits.admits(start):
+        outside = (start < low - 1e-9) | (start > high + 1e-9)
+        i = int(np.flatnonzero(outside)[0])
+        first, last = within[names[i]]
+        raise ExpressionError(
+            f"distances begin at {names[i]} = {start[i] * units[i]:.6g}, which is not "
+            f"within {first:.6g}:{last:.6g}"
+        )
+    return limits
+
+
 def distance(
     asked: Asked,
     moving: Moving,
     loci: Singularities | None,
     limbs: Mapping[str, tuple[str, ...]],
     progress: Progress = silent,
+    finished: Callable[[str, Distance], None] = lambda name, part: None,
 ) -> Distance:
     """Answer ``singularities --distance``.
 
@@ -114,49 +187,46 @@ def distance(
         loci: The exact singular loci; None where they are not known.
         limbs: Freedoms of the limbs that are serial chains, by name.
         progress: Told about each stage.
+        finished: Given the answer so far after each singularity.
 
     Raises:
         UndecidedError: If the posture is not reached, or no joint moves.
+        ExpressionError: If the posture lies outside the limits.
     """
     mechanism = asked.mechanism
     kinds = _kinds_by_rank(mechanism, limbs) if loci is None else kinds_of(loci)
     chart, remarks = moving.chart, list(moving.remarks)
-    found: list[SingularityDistance] = []
-    if chart is not None and loci is not None:
-        posture = Posture(mechanism, chart, asked.at)
-        found += distances_to_components(posture, kinds, progress)
-    elif chart is not None and moving.whole:
-        search = chart_search(chart)
-        found += [by_rank(search, kind) for kind in kinds]
+    ways: list[Iterator[SingularityDistance]] = []
+    expected: list[str] = []
+    if chart is not None and (loci is not None or moving.whole):
+        limits = _limits(asked.within, chart.names, chart.start, chart.units)
+        if loci is not None:
+            posture = Posture(mechanism, chart, asked.at)
+            ways.append(distances_to_components(posture, kinds, limits, progress))
+            expected += [name for kind in kinds for name in _components(kind)]
+        else:
+            ways.append(_by_ranks(lambda: chart_search(chart, limits), kinds, progress))
+            expected += map(_called, kinds)
     space: JointSpace | None = None
     if not moving.whole:
         model, begun = _model(asked)
         space = _joints(asked, chart, model)
+        own = _limits(
+            {} if chart is not None else asked.within,
+            model.labels,
+            np.zeros(len(model.labels)),
+            space.units,
+        )
         if begun:
             said = ", ".join(f"{name} = {value:.6g}" for name, value in begun.items())
             remarks.append(f"distances begin at {said}")
         if _contacts(mechanism):
             remarks.append("axes and normals of contacts stay with their parents")
-        search = joint_search(space)
-        for kind in kinds:
-            progress(f"distance, {kind.limb or kind.kind}", "by ranks, in all joints")
-            found.append(by_rank(search, kind, by_freedoms=True))
-    if mechanism.actuated and not any(kind.kind == "actuation" for kind in kinds):
-        remarks.append("the declared actuators hold the platform at no posture")
-    if chart is not None and chart.bodies is not None:
-        remarks.append("every body keeps the shape that it has at the posture")
-    if chart is not None and loci is not None:
-        lacking = [_called(k) for k in kinds if not k.complete]
-        if lacking:
-            remarks.append(
-                f"lists not proved to be complete: {', '.join(lacking)}; there ranks "
-                f"were searched as well"
-            )
-    never = [k for k in kinds if k.complete and not k.components and moving.whole]
-    if chart is not None and never:
-        said = ", ".join(map(_called, never))
-        remarks.append(f"never singular, proved: {said}")
-    return Distance(
+        joints = partial(joint_search, space, own)
+        ways.append(_by_ranks(joints, kinds, progress, by_freedoms=True))
+        expected += [f"{_called(kind)} (in all joints)" for kind in kinds]
+    remarks += _remarks(asked, moving, kinds, loci)
+    whole = Distance(
         case=mechanism.name,
         title=mechanism.title,
         platform_name=mechanism.platform,
@@ -165,9 +235,61 @@ def distance(
         freedoms=() if space is None else space.model.labels,
         measure=None if chart is None else _of_symbols(asked, chart),
         by_freedoms=None if space is None else _of_freedoms(asked, space, chart),
-        singularities=tuple(found),
+        singularities=(),
         remarks=tuple(remarks),
+        within=tuple(Within(name, *ends) for name, ends in asked.within.items()),
     )
+    for entry in chain.from_iterable(ways):
+        found = (*whole.singularities, entry)
+        left = tuple(expected[len(found) :])
+        whole = replace(whole, singularities=found, unfinished=left)
+        if left:
+            finished("distance", whole)
+    return whole
+
+
+def _components(kind: Kind) -> Iterator[str]:
+    """What `distances_to_components` looks at, in its order."""
+    for number, _ in kind.components:
+        yield f"{_called(kind)} {number}"
+    if not kind.complete:
+        yield f"{_called(kind)} (by its rank)"
+
+
+def _by_ranks(
+    begin: Callable[[], Search],
+    kinds: Sequence[Kind],
+    progress: Progress,
+    *,
+    by_freedoms: bool = False,
+) -> Iterator[SingularityDistance]:
+    search = begin()
+    where = "by ranks, in all joints" if by_freedoms else "by its rank"
+    for kind in kinds:
+        progress(f"distance, {kind.limb or kind.kind}", where)
+        yield by_rank(search, kind, by_freedoms=by_freedoms)
+
+
+def _remarks(
+    asked: Asked, moving: Moving, kinds: Sequence[Kind], loci: Singularities | None
+) -> Iterator[str]:
+    """What the answer leaves out, and what is never singular."""
+    chart = moving.chart
+    if asked.mechanism.actuated and not any(k.kind == "actuation" for k in kinds):
+        yield "the declared actuators hold the platform at no posture"
+    if chart is None:
+        return
+    if chart.bodies is not None:
+        yield "every body keeps the shape that it has at the posture"
+    lacking = [_called(k) for k in kinds if not k.complete]
+    if loci is not None and lacking:
+        yield (
+            f"lists not proved to be complete: {', '.join(lacking)}; there ranks "
+            f"were searched as well"
+        )
+    never = [k for k in kinds if k.complete and not k.components and moving.whole]
+    if never:
+        yield f"never singular, proved: {', '.join(map(_called, never))}"
 
 
 def _called(kind: Kind) -> str:

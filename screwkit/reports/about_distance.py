@@ -52,6 +52,8 @@ def distance_blocks(answer: Distance) -> tuple[Block, ...]:
             blocks.append(Table(_COLUMNS, tuple(_rows(answer, entries))))
     if answer.posture:
         blocks.append(Paragraph(words(f"from {_values(answer)}"), 1))
+    if answer.within:
+        blocks.append(Paragraph(words(_limits(answer)), 1))
     measures = dict.fromkeys((answer.measure, answer.by_freedoms))
     blocks += [
         Paragraph(words(_measured(measure, answer)), 1)
@@ -84,6 +86,8 @@ def _summary(answer: Distance) -> str:
             parts.append(f"{kind} 0, the posture itself is singular")
         else:
             parts.append(f"{kind} {decimal(least, DIGITS)}")
+    if answer.unfinished:
+        return f"nearest singularity so far: {'; '.join(parts) if parts else 'none'}"
     return f"nearest singularity: {'; '.join(parts) if parts else 'there is none'}"
 
 
@@ -189,6 +193,16 @@ def _values(answer: Distance) -> str:
     return f"{text}, {rest}" if text else rest
 
 
+def _limits(answer: Distance) -> str:
+    """Between which values singularities count."""
+    text = ", ".join(
+        f"{one.name} from {decimal(one.low, DIGITS)} to {decimal(one.high, DIGITS)}"
+        for one in answer.within
+    )
+    counted_from = "" if answer.variables else ", counted from the posture"
+    return f"within the limits {text}{counted_from}"
+
+
 def _list(names: Sequence[str]) -> str:
     if len(names) <= MANY:
         return ", ".join(names)
@@ -221,17 +235,26 @@ def _notes(answer: Distance) -> list[str]:
         notes.append("numbers are those that `screwkit singularities` gives")
     if any(one.starts == 0 for one in found):
         notes.append("= is exact: the condition is linear in free angles")
-    searched = sorted({one.starts for one in answer.singularities if one.starts})
+    searched = sorted({o.starts for o in answer.singularities if o.starts > 1})
     if searched:
-        count = " or ".join(map(str, searched))
+        count = (
+            f"{searched[0]}"
+            if len(searched) == 1
+            else (f"{searched[0]} to {searched[-1]}")
+        )
         notes.append(
             f"≈ is the nearest that was found from {count} postures; that nothing is "
             f"nearer is not proved, and where none was found there may be one"
         )
+    met = [one.met for one in found if one.starts > 1]
+    if met:
+        notes.append(f"each of these was met at least {counted(min(met), 'time')}")
     if any(one.by_freedoms for one in answer.singularities):
         notes.append(
             "where the rank itself was looked at, the motion is that of all joints, "
             "and it is said by how much each has moved"
         )
     notes += answer.remarks
+    if answer.unfinished:
+        notes.append(f"not looked at yet: {', '.join(answer.unfinished)}")
     return notes
