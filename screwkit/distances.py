@@ -10,6 +10,7 @@ from screwkit.algebra.closed_values import closed_value
 from screwkit.algebra.expression import Expression
 from screwkit.algebra.parse import parse
 from screwkit.analyses import distance_answer
+from screwkit.analyses.distance_limits import Asked, keeping_to_limits
 from screwkit.analyses.singularities import singularities
 from screwkit.case import Case
 from screwkit.errors import UndecidedError
@@ -52,9 +53,9 @@ def distance_of(
     mechanism, joints = distance_answer.standing_at(declared, given)
     measure = None if length is None else closed_value(length)
     limits = dict(map(limits_of, within))
-    asked = distance_answer.Asked(mechanism, joints, case.wanted, measure, limits)
+    asked = Asked(mechanism, joints, case.wanted, measure, limits)
     moving = distance_answer.moving_symbols(asked)
-    moving = distance_answer.keeping_to_limits(asked, moving)
+    moving = keeping_to_limits(asked, moving)
     limbs, why = _limbs(declared), ""
     loci: Singularities | None = None
     if moving.chart is not None:

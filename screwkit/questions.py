@@ -309,6 +309,7 @@ def analyze(
     within: Sequence[str] = (),
     add: bool = False,
     strata: int = 0,
+    distances: bool = False,
 ) -> Analysis:
     """All questions; one that cannot be decided does not stop the others.
 
@@ -320,6 +321,7 @@ def analyze(
         within: Ranges of symbols.
         add: Added actuators.
         strata: As for `singularities`.
+        distances: Answer `distance` too.
     """
     from screwkit.claims import checked_claims  # noqa: PLC0415
     from screwkit.mechanism.description import description  # noqa: PLC0415
@@ -335,6 +337,8 @@ def analyze(
         "schemes": partial(schemes, rank=rank, within=within, add=add),
         "manipulability": manipulability,
     }
+    if distances:
+        asked["distance"] = partial(distance, finished=finished)
     for name, question in asked.items():
         try:
             answers[name] = question(case, progress=progress)

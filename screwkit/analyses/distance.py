@@ -11,8 +11,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-import numpy as np
-
 from screwkit.algebra.closed_values import closed_value
 from screwkit.algebra.expression import ZERO, Expression
 from screwkit.algebra.expression_building import substitute
@@ -212,7 +210,7 @@ def _exact(
         return None
     values = {n: closed_value(v) or 0.0 for n, v in posture.start().items()}
     there = nearest_at(posture.chart, {**values, **found.values}, found.distance)
-    if not limits.admits(np.array(there.values) / posture.chart.units):
+    if not limits.admit(there.values, posture.chart.units):
         return None
     known = kind.rank_of(there.model)
     return _told(kind, number, component, there, known, 0, exact=found.text)

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import partial
 from itertools import chain
 
-import numpy as np
-
-from screwkit.algebra.batch import Array
 from screwkit.algebra.closed_values import closed_value
 from screwkit.algebra.expression import Expression
 from screwkit.algebra.expression_building import substitute
-from screwkit.algebra.names import did_you_mean, limb_called
+from screwkit.algebra.names import limb_called
 from screwkit.analyses.distance import (
     Kind,
     Posture,
@@ -21,19 +18,18 @@ from screwkit.analyses.distance import (
     distances_to_components,
     kinds_of,
 )
-from screwkit.errors import ExpressionError, UndecidedError, UnknownNameError
+from screwkit.analyses.distance_limits import Asked, Moving, limits_around
+from screwkit.errors import UndecidedError
 from screwkit.finite.moved_posture import arrival_at, departure
 from screwkit.finite.posture_model import PostureModel
 from screwkit.finite.table_search import closed_posture
 from screwkit.kinematics.placement import why_tied
 from screwkit.kinematics.values import declared_values, with_values
 from screwkit.mechanism.graph import independent_loops
-from screwkit.mechanism.joints import CATALOGUE, RIGID, freedom_labels
+from screwkit.mechanism.joints import CATALOGUE, RIGID
 from screwkit.mechanism.model import Mechanism
 from screwkit.metrics.joint_space import JointSpace, joint_space, pose_origin
-from screwkit.metrics.limited import Limits
 from screwkit.metrics.motion_chart import MotionChart, motion_chart
-from screwkit.metrics.posture_samples import Interval
 from screwkit.metrics.singular_distance import Search, chart_search, joint_search
 from screwkit.metrics.symbol_motion import symbol_motion
 from screwkit.progress import Progress, silent
@@ -44,41 +40,6 @@ from screwkit.results.distance import (
     Within,
 )
 from screwkit.results.singularities import Singularities
-
-
-@dataclass(frozen=True)
-class Asked:
-    """The mechanism where distances begin.
-
-    Attributes:
-        mechanism: Its symbols at their values there.
-        at: Values of joint variables that nothing ties.
-        moved: Values of joint variables that loops tie: it is still to be moved there.
-        length: That counts as one radian; None for the characteristic length.
-        within: Limits of symbols that move the mechanism, or of how far freedoms move
-            from the posture; in radians and file lengths.
-    """
-
-    mechanism: Mechanism
-    at: Mapping[str, Expression]
-    moved: Mapping[str, Expression]
-    length: float | None
-    within: Mapping[str, Interval] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Moving:
-    """Which symbols move the mechanism.
-
-    Attributes:
-        chart: None where none does.
-        whole: Whether all that is looked at moves by them.
-        remarks: What the answer has to say of them.
-    """
-
-    chart: MotionChart | None
-    whole: bool
-    remarks: tuple[str, ...] = ()
 
 
 def moving_symbols(asked: Asked) -> Moving:
@@ -114,63 +75,6 @@ def moving_symbols(asked: Asked) -> Moving:
     return Moving(chart, whole=False, remarks=(said,))
 
 
-def keeping_to_limits(asked: Asked, moving: Moving) -> Moving:
-    """Look along symbols where limits are of symbols, in joints where of freedoms.
-
-    Raises:
-        UnknownNameError: If a limit is of neither.
-        ExpressionError: If some are of the one and some of the other.
-    """
-    if not asked.within:
-        return moving
-    symbols = () if moving.chart is None else moving.chart.names
-    space = asked.mechanism.space
-    freedoms = [x for j in asked.mechanism.joints for x in freedom_labels(j, space)]
-    for name in asked.within:
-        if name not in symbols and name not in freedoms:
-            known = [*symbols, *freedoms]
-            raise UnknownNameError(
-                f"no symbol that moves the mechanism, and no freedom, is called "
-                f"{name!r}{did_you_mean(name, known)}"
-            )
-    if not asked.within.keys() - set(symbols):
-        if moving.whole:
-            return moving
-        said = "limits are of symbols: what lies beside these is not looked for"
-        return Moving(moving.chart, whole=True, remarks=(*moving.remarks, said))
-    others = [name for name in asked.within if name not in freedoms]
-    if others:
-        raise ExpressionError(
-            f"limits are of symbols or of freedoms, and {others[0]!r} is no freedom; "
-            f"give limits of one kind"
-        )
-    return Moving(None, whole=False, remarks=moving.remarks)
-
-
-def _limits(
-    within: Mapping[str, Interval], names: Sequence[str], start: Array, units: Array
-) -> Limits:
-    """Limits of coordinates.
-
-    Raises:
-        ExpressionError: If the posture itself lies outside.
-    """
-    low, high = np.full(len(names), -np.inf), np.full(len(names), np.inf)
-    for i, name in enumerate(names):
-        if name in within:
-            low[i], high[i] = np.array(within[name]) / units[i]
-    limits = Limits(low, high)
-    if not limits.admits(start):
-        outside = (start < low - 1e-9) | (start > high + 1e-9)
-        i = int(np.flatnonzero(outside)[0])
-        first, last = within[names[i]]
-        raise ExpressionError(
-            f"distances begin at {names[i]} = {start[i] * units[i]:.6g}, which is not "
-            f"within {first:.6g}:{last:.6g}"
-        )
-    return limits
-
-
 def distance(
     asked: Asked,
     moving: Moving,
@@ -199,7 +103,7 @@ def distance(
     ways: list[Iterator[SingularityDistance]] = []
     expected: list[str] = []
     if chart is not None and (loci is not None or moving.whole):
-        limits = _limits(asked.within, chart.names, chart.start, chart.units)
+        limits = limits_around(asked.within, chart.names, chart.start, chart.units)
         if loci is not None:
             posture = Posture(mechanism, chart, asked.at)
             ways.append(distances_to_components(posture, kinds, limits, progress))
@@ -211,10 +115,10 @@ def distance(
     if not moving.whole:
         model, begun = _model(asked)
         space = _joints(asked, chart, model)
-        own = _limits(
+        own = limits_around(
             {} if chart is not None else asked.within,
             model.labels,
-            np.zeros(len(model.labels)),
+            space.start,
             space.units,
         )
         if begun:

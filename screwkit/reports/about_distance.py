@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from screwkit.algebra.names import counted, limb_called
 from screwkit.reports.blocks import (
@@ -20,7 +21,7 @@ from screwkit.reports.blocks import (
 )
 from screwkit.reports.conditions import Numbered, place
 from screwkit.reports.decimals import decimal
-from screwkit.reports.phrases import platform_called
+from screwkit.reports.phrases import capital, platform_called
 from screwkit.results.distance import (
     Distance,
     DistanceMeasure,
@@ -42,6 +43,23 @@ _HEADS = {
 }
 
 
+@dataclass(frozen=True)
+class Elsewhere:
+    """Where what is too long for a cell can be read.
+
+    Attributes:
+        equations: Of a component.
+        values: Of a posture.
+    """
+
+    equations: str
+    values: str
+
+
+TERMINAL = Elsewhere("--json", "--json")
+ARTICLE = Elsewhere("see there", "in the JSON document")
+
+
 def distance_blocks(answer: Distance) -> tuple[Block, ...]:
     """The nearest of each kind in a line, every singularity, what a distance means."""
     blocks: list[Block] = [Paragraph(words(_summary(answer)), 1)]
@@ -49,7 +67,7 @@ def distance_blocks(answer: Distance) -> tuple[Block, ...]:
         entries = [one for one in answer.singularities if one.kind == kind]
         if entries:
             blocks.append(Heading(words(head), 1))
-            blocks.append(Table(_COLUMNS, tuple(_rows(answer, entries))))
+            blocks.append(Table(_COLUMNS, tuple(_rows(answer, entries, TERMINAL))))
     if answer.posture:
         blocks.append(Paragraph(words(f"from {_values(answer)}"), 1))
     if answer.within:
@@ -64,8 +82,31 @@ def distance_blocks(answer: Distance) -> tuple[Block, ...]:
     return tuple(blocks)
 
 
+def distance_section(answer: Distance) -> tuple[Block, ...]:
+    """The same as a section of an article: one table, and how it is measured."""
+    rows = []
+    for kind in _HEADS:
+        entries = [one for one in answer.singularities if one.kind == kind]
+        rows += [(words(kind), *row) for row in _rows(answer, entries, ARTICLE)]
+    blocks: list[Block] = [
+        Heading(words("Distances to singularities"), 1),
+        Paragraph(words(f"{capital(_summary(answer))}.")),
+    ]
+    if rows:
+        caption = words("How far the nearest singularities are along the motion")
+        columns = (Column(words("kind")), *_COLUMNS)
+        blocks.append(Table(columns, tuple(rows), caption, long=True))
+    said = [f"Distances begin at {_values(answer)}"] if answer.posture else []
+    said += [_limits(answer)] if answer.within else []
+    measures = dict.fromkeys((answer.measure, answer.by_freedoms))
+    said += [_measured(one, answer) for one in measures if one is not None]
+    blocks += [Paragraph(words(f"{capital(text)}.")) for text in said]
+    blocks += [Paragraph(prose(f"{capital(text)}.")) for text in _notes(answer)]
+    return tuple(blocks)
+
+
 _COLUMNS = (
-    Column(words("distance")),
+    Column(words("distance, rad")),
     Column(words("singularity"), "wrap", 3.0),
     Column(words("nearest posture"), "wrap", 3.0),
     Column(words("there"), "wrap", 2.0),
@@ -85,14 +126,24 @@ def _summary(answer: Distance) -> str:
         elif least == 0:
             parts.append(f"{kind} 0, the posture itself is singular")
         else:
-            parts.append(f"{kind} {decimal(least, DIGITS)}")
+            parts.append(f"{kind} {_in_units(least, answer)}")
     if answer.unfinished:
         return f"nearest singularity so far: {'; '.join(parts) if parts else 'none'}"
     return f"nearest singularity: {'; '.join(parts) if parts else 'there is none'}"
 
 
+def _in_units(size: float, answer: Distance) -> str:
+    """A distance in radians, and as the length that a shift alone would have."""
+    text = f"{decimal(size, DIGITS)} rad"
+    measure = answer.measure or answer.by_freedoms
+    if measure is None or measure.length is None:
+        return text
+    unit = f" {measure.unit}" if measure.unit else ""
+    return f"{text} or {decimal(size * measure.length, DIGITS)}{unit}"
+
+
 def _rows(
-    answer: Distance, entries: Sequence[SingularityDistance]
+    answer: Distance, entries: Sequence[SingularityDistance], elsewhere: Elsewhere
 ) -> list[tuple[Text, ...]]:
     def size(one: SingularityDistance) -> float:
         return float("inf") if one.nearest is None else one.nearest.distance
@@ -100,8 +151,8 @@ def _rows(
     return [
         (
             _size(one),
-            _singularity(one),
-            _posture(answer, one),
+            _singularity(one, elsewhere),
+            _posture(answer, one, elsewhere),
             words(_there(answer, one)),
         )
         for one in sorted(entries, key=size)
@@ -119,7 +170,7 @@ def _size(one: SingularityDistance) -> Text:
     return (*math(one.nearest.exact), Words(f" = {number}"))
 
 
-def _singularity(one: SingularityDistance) -> Text:
+def _singularity(one: SingularityDistance, elsewhere: Elsewhere) -> Text:
     limb = f"{limb_called(one.limb)}: " if one.limb else ""
     component = one.component
     if component is None:
@@ -127,18 +178,20 @@ def _singularity(one: SingularityDistance) -> Text:
     where, used = place(Numbered(one.number or 0, component), {})
     if not used and max(map(len, component.equations)) > READABLE:
         count = counted(len(component.equations), "equation")
-        where = words(f"{count} (--json)")
+        where = words(f"{count} ({elsewhere.equations})")
     sentence: Text = ()
     if component.geometry and not used:
         sentence = prose(f"; {component.geometry}")
     return (*words(f"{one.number}  {limb}"), *where, *sentence)
 
 
-def _posture(answer: Distance, one: SingularityDistance) -> Text:
+def _posture(answer: Distance, one: SingularityDistance, elsewhere: Elsewhere) -> Text:
     found = one.nearest
     if found is None:
         return prose(one.reason)
-    parts = [words("here")] if not found.distance else _changes(answer, one, found)
+    parts = [words("here")]
+    if found.distance:
+        parts = _changes(answer, one, found, elsewhere)
     if not found.connected:
         parts.append(words("no way there along the motion was followed"))
     if one.reason:
@@ -147,7 +200,10 @@ def _posture(answer: Distance, one: SingularityDistance) -> Text:
 
 
 def _changes(
-    answer: Distance, one: SingularityDistance, found: NearestPosture
+    answer: Distance,
+    one: SingularityDistance,
+    found: NearestPosture,
+    elsewhere: Elsewhere,
 ) -> list[Text]:
     """The values that differ from the posture where the distance begins."""
     names = answer.freedoms if one.by_freedoms else answer.variables
@@ -158,7 +214,8 @@ def _changes(
         if abs(value - old) > 5e-7
     ]
     if len(changed) > MANY:
-        return [words(f"{len(changed)} of {len(names)} change (--json)")]
+        count = f"{len(changed)} of {len(names)} change"
+        return [words(f"{count} ({elsewhere.values})")]
     sign = "by" if one.by_freedoms else "="
     text = ", ".join(
         f"{name} {sign} {decimal(_tidy(value), DIGITS)}" for name, value in changed
@@ -224,7 +281,10 @@ def _measured(measure: DistanceMeasure, answer: Distance) -> str:
     if measure.length is not None:
         unit = f" {measure.unit}" if measure.unit else ""
         whose = "as given" if measure.given else "the characteristic length"
-        text += f"; L = {decimal(measure.length, DIGITS)}{unit}, {whose}"
+        text += (
+            f"; L = {decimal(measure.length, DIGITS)}{unit}, {whose}, "
+            f"counts as one radian"
+        )
     return text
 
 

@@ -88,7 +88,9 @@ def test_limits_of_a_joint() -> None:
         answer = sk.distance(case, within=limits)
         (entry,) = [one for one in answer.singularities if one.kind == "actuation"]
         found = entry.nearest
-        return found and (found.distance, found.values[answer.freedoms.index("A")])
+        if found is None:
+            return None
+        return found.distance, found.values[answer.freedoms.index("A")]
 
     free = dead_point()
     assert free is not None
