@@ -63,14 +63,17 @@ def moving_symbols(asked: Asked) -> Moving:
     names = ", ".join(chart.names)
     if not known.by_joints or not known.symbols:
         several = len(chart.names) > 1
-        said = f"{names} would change the mechanism, and keep{'' if several else 's'} "
+        said = (
+            f"the symbol{'s' if several else ''} {names} would change the mechanism, "
+        )
+        said += f"and keep{'' if several else 's'} "
         said += "their values" if several else "its value"
         return Moving(None, whole=False, remarks=(said,))
     if known.symbols == known.joints:
         return Moving(chart, whole=True)
     said = (
-        f"{names} describe {known.symbols} of the {known.joints} dimensions of the "
-        f"motion: what lies beside them is looked for by ranks"
+        f"the symbols {names} describe {known.symbols} of the {known.joints} "
+        f"dimensions of the motion: what lies beside them is looked for by ranks"
     )
     return Moving(chart, whole=False, remarks=(said,))
 

@@ -50,14 +50,16 @@ class Elsewhere:
     Attributes:
         equations: Of a component.
         values: Of a posture.
+        numbers: Whose the numbers of components are.
     """
 
     equations: str
     values: str
+    numbers: str
 
 
-TERMINAL = Elsewhere("--json", "--json")
-ARTICLE = Elsewhere("see there", "in the JSON document")
+TERMINAL = Elsewhere("--json", "--json", "that `screwkit singularities` gives")
+ARTICLE = Elsewhere("see above", "in the JSON document", "of the components above")
 
 
 def distance_blocks(answer: Distance) -> tuple[Block, ...]:
@@ -78,7 +80,7 @@ def distance_blocks(answer: Distance) -> tuple[Block, ...]:
         for measure in measures
         if measure is not None
     ]
-    blocks += [Paragraph(prose(text), 1) for text in _notes(answer)]
+    blocks += [Paragraph(prose(text), 1) for text in _notes(answer, TERMINAL)]
     return tuple(blocks)
 
 
@@ -101,7 +103,9 @@ def distance_section(answer: Distance) -> tuple[Block, ...]:
     measures = dict.fromkeys((answer.measure, answer.by_freedoms))
     said += [_measured(one, answer) for one in measures if one is not None]
     blocks += [Paragraph(words(f"{capital(text)}.")) for text in said]
-    blocks += [Paragraph(prose(f"{capital(text)}.")) for text in _notes(answer)]
+    blocks += [
+        Paragraph(prose(f"{capital(text)}.")) for text in _notes(answer, ARTICLE)
+    ]
     return tuple(blocks)
 
 
@@ -288,11 +292,11 @@ def _measured(measure: DistanceMeasure, answer: Distance) -> str:
     return text
 
 
-def _notes(answer: Distance) -> list[str]:
+def _notes(answer: Distance, elsewhere: Elsewhere) -> list[str]:
     found = [one for one in answer.singularities if one.nearest is not None]
     notes = []
     if any(one.number for one in answer.singularities):
-        notes.append("numbers are those that `screwkit singularities` gives")
+        notes.append(f"numbers are those {elsewhere.numbers}")
     if any(one.starts == 0 for one in found):
         notes.append("= is exact: the condition is linear in free angles")
     searched = sorted({o.starts for o in answer.singularities if o.starts > 1})
