@@ -27,6 +27,7 @@ from screwkit.options import (
     Every,
     Index,
     Length,
+    Limits,
     MapFile,
     Memory,
     Order,
@@ -185,6 +186,7 @@ def singularities(
     output: SlicePicture = None,
     distance: Distant = False,
     length: Length = None,
+    within: Limits = None,
     strata: Strata = None,
     variant: Variant = None,
     set_values: Setting = None,
@@ -200,7 +202,8 @@ def singularities(
     With --slice twice those where two symbols vary and all others have their values,
     with a picture of the curves. With --distance the nearest of each kind along the
     motion, from the posture of the file or of --at; a length counts as many radians as
-    --length goes into it.
+    --length goes into it, and what lies beyond limits, --within, does not count: of
+    symbols, or of freedoms, which count from the posture.
 
     Example: screwkit singularities nao_t14 --actuated 1,2,3,7
 
@@ -209,14 +212,17 @@ def singularities(
 
     Example: screwkit singularities nao_t14 --distance --at q4=0.3 --at q9=1
 
+    Example: screwkit singularities 3rpr_planar --distance --within phi=0:1
+
     Example: screwkit singularities nao_t14 --strata 2
     """
     others = {"--certificate": certificate, "--slice": slices, "-o": output}
     refuse_beside_distance(
-        distance, length, {**others, "--all": every, "--strata": strata}
+        distance, length, within, {**others, "--all": every, "--strata": strata}
     )
     if distance:
-        answer(request_of("distance", locals(), length=length))
+        limits = list(within) if within else None
+        answer(request_of("distance", locals(), length=length, within=limits))
     if strata is not None and slices:
         raise typer.BadParameter("--strata is of the whole loci, not of a slice")
     if certificate is not None and slices:

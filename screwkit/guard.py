@@ -129,6 +129,8 @@ class _Child:
             self.stage = Stage(said["stage"], said["size"], self.elapsed)
         elif "part" in message:
             part = message["part"]
+            # A part that has grown takes the place of what it was before.
+            self.parts = [one for one in self.parts if one[0] != part["name"]]
             self.parts.append((part["name"], part_from_json(part)))
         elif "result" in message:
             self.final = Answered(part_from_json(message["result"]))

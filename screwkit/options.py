@@ -136,6 +136,12 @@ Within = Annotated[
         metavar="NAME=A:B", help="Draw these postures from a range; repeatable."
     ),
 ]
+Limits = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--within", metavar="NAME=A:B", help="Limits of distances; repeatable."
+    ),
+]
 SchemesFile = Annotated[
     Path | None,
     typer.Option("-o", "--output", help="Write .tex, .csv, .json or .txt."),

@@ -15,6 +15,7 @@ from screwkit.options import (
     AsJson,
     At,
     CaseName,
+    Distant,
     Form,
     Format,
     Memory,
@@ -39,6 +40,7 @@ def analyze(
     rank: Rank = None,
     within: Within = None,
     strata: Strata = None,
+    distance: Distant = False,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -52,7 +54,7 @@ def analyze(
 
     Example: screwkit analyze nao_t14 --json
     """
-    options = extras(add, rank, within)
+    options = {**extras(add, rank, within), "distances": distance or None}
     answer(request_of("analyze", locals(), strata=strata, **options))
 
 
@@ -104,6 +106,7 @@ def report(
     rank: Rank = None,
     within: Within = None,
     strata: Strata = None,
+    distance: Distant = False,
     variant: Variant = None,
     set_values: Setting = None,
     actuated: Actuated = None,
@@ -117,7 +120,7 @@ def report(
 
     Example: screwkit report nao_t14 --format pdf -o report.pdf
     """
-    options = extras(add, rank, within)
+    options = {**extras(add, rank, within), "distances": distance or None}
     request = request_of("analyze", locals(), strata=strata, **options)
     from screwkit.delivery import deliver_report  # noqa: PLC0415
 

@@ -216,7 +216,13 @@ def singularities(
     return answer
 
 
-def distance(case: Case, length: str = "", progress: Progress = silent) -> Distance:
+def distance(
+    case: Case,
+    length: str = "",
+    progress: Progress = silent,
+    within: Sequence[str] = (),
+    finished: Callable[[str, Any], None] = lambda name, part: None,
+) -> Distance:
     """How far the posture is from the nearest singularity of each kind.
 
     Args:
@@ -224,17 +230,22 @@ def distance(case: Case, length: str = "", progress: Progress = silent) -> Dista
         length: A length that counts as one radian; a number or an expression of
             constants, the characteristic length by default.
         progress: Told about each stage.
+        within: Limits of symbols that move the mechanism, ``"x=-0.1:0.1"`` each, or of
+            freedoms, which count from the posture; what is outside does not count.
+        finished: Given the answer so far after each singularity.
 
     Raises:
         UndecidedError: If a symbol has no value, the posture is not reached, or no
             joint moves.
-        ExpressionError: If the length is no positive constant.
+        UnknownNameError: If a limit is of nothing that moves.
+        ExpressionError: If the length is no positive constant, or a limit no range, or
+            the posture outside the limits.
         MechanismFileError: If no limb holds the platform.
     """
     from screwkit.distances import distance_of  # noqa: PLC0415
 
     case.need_held_platform()
-    return distance_of(case, measure_of(length), progress)
+    return distance_of(case, measure_of(length), within, progress, finished)
 
 
 def schemes(
@@ -341,6 +352,7 @@ def analyze(
     within: Sequence[str] = (),
     add: bool = False,
     strata: int = 0,
+    distances: bool = False,
 ) -> Analysis:
     """All questions; one that cannot be decided does not stop the others.
 
@@ -352,6 +364,7 @@ def analyze(
         within: Ranges of symbols.
         add: Added actuators.
         strata: As for `singularities`.
+        distances: Answer `distance` too.
     """
     from screwkit.claims import checked_claims  # noqa: PLC0415
     from screwkit.mechanism.description import description  # noqa: PLC0415
@@ -367,6 +380,8 @@ def analyze(
         "schemes": partial(schemes, rank=rank, within=within, add=add),
         "manipulability": manipulability,
     }
+    if distances:
+        asked["distance"] = partial(distance, finished=finished)
     for name, question in asked.items():
         try:
             answers[name] = question(case, progress=progress)

@@ -67,13 +67,17 @@ def extras(
 
 
 def refuse_beside_distance(
-    distance: bool, length: str | None, others: dict[str, Any]
+    distance: bool,
+    length: str | None,
+    within: list[str] | None,
+    others: dict[str, Any],
 ) -> None:
     """Distances are an answer of their own, and only they have a measure.
 
     Args:
         distance: Whether they are asked for.
         length: How they are measured.
+        within: Where they end.
         others: What goes with loci only, by option.
 
     Raises:
@@ -82,6 +86,10 @@ def refuse_beside_distance(
     if not distance and length is not None:
         raise typer.BadParameter(
             "--length says how distances are measured; give --distance with it"
+        )
+    if not distance and within:
+        raise typer.BadParameter(
+            "--within says where distances end; give --distance with it"
         )
     beside = [option for option, given in others.items() if given]
     if distance and beside:

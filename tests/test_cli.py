@@ -178,16 +178,25 @@ def test_options_of_schemes_reach_the_analysis(engine: Answering) -> None:
 
 def test_a_distance_is_a_question_of_its_own(engine: Answering) -> None:
     asked = ["singularities", "nao_t14", "--distance", "--at", "q4=0.3"]
-    screwkit(*asked, "--length", "1/2")
+    screwkit(*asked, "--length", "1/2", "--within", "q4=0:1")
     (job,) = engine.jobs
-    assert (job.question, job.options) == ("distance", {"length": "1/2"})
+    options = {"length": "1/2", "within": ["q4=0:1"]}
+    assert (job.question, job.options) == ("distance", options)
     assert job.at == {"q4": "0.3"}
+
+
+@pytest.mark.parametrize("command", ["analyze", "report"])
+def test_distances_are_a_part_where_asked_for(engine: Answering, command: str) -> None:
+    screwkit(command, "nao_t14", "--distance")
+    screwkit(command, "nao_t14")
+    assert [job.options for job in engine.jobs] == [{"distances": True}, {}]
 
 
 @pytest.mark.parametrize(
     ("options", "said"),
     [
         (["--length", "2"], "give --distance with it"),
+        (["--within", "q4=0:1"], "give --distance with it"),
         (["--distance", "--all"], "ask without --all"),
         (["--distance", "--slice", "x=0:1"], "ask without --slice"),
         (["--distance", "--certificate", "c.json"], "ask without --certificate"),

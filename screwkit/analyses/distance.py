@@ -20,6 +20,7 @@ from screwkit.analyses.exact_distance import exact_nearest, planes_of
 from screwkit.finite.posture_model import PostureModel
 from screwkit.kinematics.values import declared_values
 from screwkit.mechanism.model import Mechanism
+from screwkit.metrics.limited import Limits
 from screwkit.metrics.motion_chart import MotionChart
 from screwkit.metrics.posture_ranks import (
     PostureRank,
@@ -169,28 +170,38 @@ class Posture:
 
 
 def distances_to_components(
-    posture: Posture, kinds: Sequence[Kind], progress: Progress = silent
+    posture: Posture,
+    kinds: Sequence[Kind],
+    limits: Limits,
+    progress: Progress = silent,
 ) -> Iterator[SingularityDistance]:
-    """To every component of every kind, and to what incomplete lists may lack."""
+    """To every component of every kind, and to what incomplete lists may lack.
+
+    Args:
+        posture: Where distances begin.
+        kinds: With their components.
+        limits: Of the coordinates of the chart.
+        progress: Told about each stage.
+    """
     search: Search | None = None
     for kind in kinds:
         name = f"limb {kind.limb}" if kind.limb else kind.kind
         for number, component in kind.components:
             progress(f"distance, {name}", f"component {number}")
-            exact = _exact(posture, kind, number, component)
+            exact = _exact(posture, limits, kind, number, component)
             if exact is not None:
                 yield exact
                 continue
-            search = search or chart_search(posture.chart)
+            search = search or chart_search(posture.chart, limits)
             yield _searched(posture, search, kind, number, component)
         if not kind.complete:
             progress(f"distance, {name}", "by its rank")
-            search = search or chart_search(posture.chart)
+            search = search or chart_search(posture.chart, limits)
             yield by_rank(search, kind)
 
 
 def _exact(
-    posture: Posture, kind: Kind, number: int, component: Component
+    posture: Posture, limits: Limits, kind: Kind, number: int, component: Component
 ) -> SingularityDistance | None:
     dimensions = posture.dimensions
     planes = planes_of(component, posture.free_angles, dimensions)
@@ -199,6 +210,8 @@ def _exact(
         return None
     values = {n: closed_value(v) or 0.0 for n, v in posture.start().items()}
     there = nearest_at(posture.chart, {**values, **found.values}, found.distance)
+    if not limits.admit(there.values, posture.chart.units):
+        return None
     known = kind.rank_of(there.model)
     return _told(kind, number, component, there, known, 0, exact=found.text)
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from itertools import chain
 
 from screwkit.algebra.closed_values import closed_value
 from screwkit.algebra.expression import Expression
@@ -16,6 +18,7 @@ from screwkit.analyses.distance import (
     distances_to_components,
     kinds_of,
 )
+from screwkit.analyses.distance_limits import Asked, Moving, limits_around
 from screwkit.errors import UndecidedError
 from screwkit.finite.moved_posture import arrival_at, departure
 from screwkit.finite.posture_model import PostureModel
@@ -27,43 +30,16 @@ from screwkit.mechanism.joints import CATALOGUE, RIGID
 from screwkit.mechanism.model import Mechanism
 from screwkit.metrics.joint_space import JointSpace, joint_space, pose_origin
 from screwkit.metrics.motion_chart import MotionChart, motion_chart
-from screwkit.metrics.singular_distance import chart_search, joint_search
+from screwkit.metrics.singular_distance import Search, chart_search, joint_search
 from screwkit.metrics.symbol_motion import symbol_motion
 from screwkit.progress import Progress, silent
-from screwkit.results.distance import Distance, DistanceMeasure, SingularityDistance
+from screwkit.results.distance import (
+    Distance,
+    DistanceMeasure,
+    SingularityDistance,
+    Within,
+)
 from screwkit.results.singularities import Singularities
-
-
-@dataclass(frozen=True)
-class Asked:
-    """The mechanism where distances begin.
-
-    Attributes:
-        mechanism: Its symbols at their values there.
-        at: Values of joint variables that nothing ties.
-        moved: Values of joint variables that loops tie: it is still to be moved there.
-        length: That counts as one radian; None for the characteristic length.
-    """
-
-    mechanism: Mechanism
-    at: Mapping[str, Expression]
-    moved: Mapping[str, Expression]
-    length: float | None
-
-
-@dataclass(frozen=True)
-class Moving:
-    """Which symbols move the mechanism.
-
-    Attributes:
-        chart: None where none does.
-        whole: Whether they describe all of its motion.
-        remarks: What the answer has to say of them.
-    """
-
-    chart: MotionChart | None
-    whole: bool
-    remarks: tuple[str, ...] = ()
 
 
 def moving_symbols(asked: Asked) -> Moving:
@@ -87,14 +63,17 @@ def moving_symbols(asked: Asked) -> Moving:
     names = ", ".join(chart.names)
     if not known.by_joints or not known.symbols:
         several = len(chart.names) > 1
-        said = f"{names} would change the mechanism, and keep{'' if several else 's'} "
+        said = (
+            f"the symbol{'s' if several else ''} {names} would change the mechanism, "
+        )
+        said += f"and keep{'' if several else 's'} "
         said += "their values" if several else "its value"
         return Moving(None, whole=False, remarks=(said,))
     if known.symbols == known.joints:
         return Moving(chart, whole=True)
     said = (
-        f"{names} describe {known.symbols} of the {known.joints} dimensions of the "
-        f"motion: what lies beside them is looked for by ranks"
+        f"the symbols {names} describe {known.symbols} of the {known.joints} "
+        f"dimensions of the motion: what lies beside them is looked for by ranks"
     )
     return Moving(chart, whole=False, remarks=(said,))
 
@@ -105,6 +84,7 @@ def distance(
     loci: Singularities | None,
     limbs: Mapping[str, tuple[str, ...]],
     progress: Progress = silent,
+    finished: Callable[[str, Distance], None] = lambda name, part: None,
 ) -> Distance:
     """Answer ``singularities --distance``.
 
@@ -114,49 +94,46 @@ def distance(
         loci: The exact singular loci; None where they are not known.
         limbs: Freedoms of the limbs that are serial chains, by name.
         progress: Told about each stage.
+        finished: Given the answer so far after each singularity.
 
     Raises:
         UndecidedError: If the posture is not reached, or no joint moves.
+        ExpressionError: If the posture lies outside the limits.
     """
     mechanism = asked.mechanism
     kinds = _kinds_by_rank(mechanism, limbs) if loci is None else kinds_of(loci)
     chart, remarks = moving.chart, list(moving.remarks)
-    found: list[SingularityDistance] = []
-    if chart is not None and loci is not None:
-        posture = Posture(mechanism, chart, asked.at)
-        found += distances_to_components(posture, kinds, progress)
-    elif chart is not None and moving.whole:
-        search = chart_search(chart)
-        found += [by_rank(search, kind) for kind in kinds]
+    ways: list[Iterator[SingularityDistance]] = []
+    expected: list[str] = []
+    if chart is not None and (loci is not None or moving.whole):
+        limits = limits_around(asked.within, chart.names, chart.start, chart.units)
+        if loci is not None:
+            posture = Posture(mechanism, chart, asked.at)
+            ways.append(distances_to_components(posture, kinds, limits, progress))
+            expected += [name for kind in kinds for name in _components(kind)]
+        else:
+            ways.append(_by_ranks(lambda: chart_search(chart, limits), kinds, progress))
+            expected += map(_called, kinds)
     space: JointSpace | None = None
     if not moving.whole:
         model, begun = _model(asked)
         space = _joints(asked, chart, model)
+        own = limits_around(
+            {} if chart is not None else asked.within,
+            model.labels,
+            space.start,
+            space.units,
+        )
         if begun:
             said = ", ".join(f"{name} = {value:.6g}" for name, value in begun.items())
             remarks.append(f"distances begin at {said}")
         if _contacts(mechanism):
             remarks.append("axes and normals of contacts stay with their parents")
-        search = joint_search(space)
-        for kind in kinds:
-            progress(f"distance, {kind.limb or kind.kind}", "by ranks, in all joints")
-            found.append(by_rank(search, kind, by_freedoms=True))
-    if mechanism.actuated and not any(kind.kind == "actuation" for kind in kinds):
-        remarks.append("the declared actuators hold the platform at no posture")
-    if chart is not None and chart.bodies is not None:
-        remarks.append("every body keeps the shape that it has at the posture")
-    if chart is not None and loci is not None:
-        lacking = [_called(k) for k in kinds if not k.complete]
-        if lacking:
-            remarks.append(
-                f"lists not proved to be complete: {', '.join(lacking)}; there ranks "
-                f"were searched as well"
-            )
-    never = [k for k in kinds if k.complete and not k.components and moving.whole]
-    if chart is not None and never:
-        said = ", ".join(map(_called, never))
-        remarks.append(f"never singular, proved: {said}")
-    return Distance(
+        joints = partial(joint_search, space, own)
+        ways.append(_by_ranks(joints, kinds, progress, by_freedoms=True))
+        expected += [f"{_called(kind)} (in all joints)" for kind in kinds]
+    remarks += _remarks(asked, moving, kinds, loci)
+    whole = Distance(
         case=mechanism.name,
         title=mechanism.title,
         platform_name=mechanism.platform,
@@ -165,9 +142,61 @@ def distance(
         freedoms=() if space is None else space.model.labels,
         measure=None if chart is None else _of_symbols(asked, chart),
         by_freedoms=None if space is None else _of_freedoms(asked, space, chart),
-        singularities=tuple(found),
+        singularities=(),
         remarks=tuple(remarks),
+        within=tuple(Within(name, *ends) for name, ends in asked.within.items()),
     )
+    for entry in chain.from_iterable(ways):
+        found = (*whole.singularities, entry)
+        left = tuple(expected[len(found) :])
+        whole = replace(whole, singularities=found, unfinished=left)
+        if left:
+            finished("distance", whole)
+    return whole
+
+
+def _components(kind: Kind) -> Iterator[str]:
+    """What `distances_to_components` looks at, in its order."""
+    for number, _ in kind.components:
+        yield f"{_called(kind)} {number}"
+    if not kind.complete:
+        yield f"{_called(kind)} (by its rank)"
+
+
+def _by_ranks(
+    begin: Callable[[], Search],
+    kinds: Sequence[Kind],
+    progress: Progress,
+    *,
+    by_freedoms: bool = False,
+) -> Iterator[SingularityDistance]:
+    search = begin()
+    where = "by ranks, in all joints" if by_freedoms else "by its rank"
+    for kind in kinds:
+        progress(f"distance, {kind.limb or kind.kind}", where)
+        yield by_rank(search, kind, by_freedoms=by_freedoms)
+
+
+def _remarks(
+    asked: Asked, moving: Moving, kinds: Sequence[Kind], loci: Singularities | None
+) -> Iterator[str]:
+    """What the answer leaves out, and what is never singular."""
+    chart = moving.chart
+    if asked.mechanism.actuated and not any(k.kind == "actuation" for k in kinds):
+        yield "the declared actuators hold the platform at no posture"
+    if chart is None:
+        return
+    if chart.bodies is not None:
+        yield "every body keeps the shape that it has at the posture"
+    lacking = [_called(k) for k in kinds if not k.complete]
+    if loci is not None and lacking:
+        yield (
+            f"lists not proved to be complete: {', '.join(lacking)}; there ranks "
+            f"were searched as well"
+        )
+    never = [k for k in kinds if k.complete and not k.components and moving.whole]
+    if never:
+        yield f"never singular, proved: {', '.join(map(_called, never))}"
 
 
 def _called(kind: Kind) -> str:

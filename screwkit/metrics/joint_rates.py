@@ -3,7 +3,7 @@
 What a freedom carries moves with its twist: a screw by the Lie bracket, the centre of a
 ball joint by the twist's velocity there, what a loop misses by the twists of its ends.
 
-References: [MurrayLiSastry1994] §3.4 (Jacobians), [LynchPark2017] §8.2 (brackets).
+References: [MurrayLiSastry1994] §3.4 (Jacobians), [LynchPark2017] ch. 8 (brackets).
 """
 
 from __future__ import annotations
@@ -159,9 +159,8 @@ def placed_at(
 def by_turning(vectors: Array) -> Array:
     """The rates of a rotation vector by angular velocities, shape batch + (3, 3).
 
-    The inverse of the left Jacobian of SO(3); the angle at most π.
-
-    References: [Chirikjian2012] (10.86).
+    The inverse of the left Jacobian of SO(3), by its series in the cross product, whose
+    even terms sum to one over the squared angle less a cotangent; the angle at most π.
     """
     angle = np.linalg.norm(vectors, axis=-1)[..., None, None]
     skew = np.zeros((*vectors.shape, 3))

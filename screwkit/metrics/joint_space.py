@@ -63,6 +63,11 @@ class JointSpace:
         return frozenset(label for label, turn in pairs if turn)
 
     @property
+    def start(self) -> Array:
+        """The posture from which coordinates count: 0, shape (freedoms,)."""
+        return np.zeros(len(self.model.labels))
+
+    @property
     def units(self) -> Array:
         """What a coordinate is multiplied with to be in radians or file lengths."""
         slides = np.linalg.norm(self.model.screws[:, :3], axis=1) < 0.5

@@ -7,6 +7,7 @@ nearest point at a limit is found like any other.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,9 @@ import numpy as np
 from screwkit.algebra.batch import Array
 from screwkit.metrics.rank_conditions import Screws
 from screwkit.metrics.smooth import Smooth
+
+ROUNDING = 1e-9
+"""By how much a coordinate may be beyond a limit that was met."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,9 +57,19 @@ class Limits:
         sine = np.clip((point - middle) / safe, -1.0, 1.0)
         return np.where(self._limited, np.arcsin(sine), point)
 
-    def admits(self, point: Array, slack: float = 1e-9) -> bool:
-        """Whether a point lies within, but for rounding."""
-        return bool(((point >= self.low - slack) & (point <= self.high + slack)).all())
+    def first_outside(self, point: Array) -> int | None:
+        """Which coordinate of a point is the first not within, but for rounding."""
+        outside = (point < self.low - ROUNDING) | (point > self.high + ROUNDING)
+        return int(np.argmax(outside)) if outside.any() else None
+
+    def admit(self, values: Sequence[float], units: Array) -> bool:
+        """Whether values of the file lie within.
+
+        Args:
+            values: In radians and file lengths.
+            units: What a coordinate is multiplied with to be such a value.
+        """
+        return self.first_outside(np.array(values) / units) is None
 
     def of(self, function: Smooth) -> Smooth:
         """A function of the coordinates as one of the new ones."""
@@ -84,6 +98,23 @@ class LimitedScrews:
         """See `Screws`."""
         inner = self.screws.rates(self.limits.within(points), forms)
         return np.asarray(inner * self.limits.rates(points)[:, None])
+
+
+def limits_on(
+    within: Mapping[str, tuple[float, float]], names: Sequence[str], units: Array
+) -> Limits:
+    """Limits of coordinates.
+
+    Args:
+        within: Of some of them, in radians and file lengths.
+        names: Of all.
+        units: What a coordinate is multiplied with to be such a value.
+    """
+    limits = no_limits(len(names))
+    for i, name in enumerate(names):
+        if name in within:
+            limits.low[i], limits.high[i] = np.array(within[name]) / units[i]
+    return limits
 
 
 def no_limits(count: int) -> Limits:

@@ -59,18 +59,28 @@ def interval_of(text: str, known: Sequence[str]) -> tuple[str, Interval]:
         UnknownNameError: If the name is no symbol of the mechanism.
         ExpressionError: If the rest is no range.
     """
-    name, sign, rest = text.partition("=")
-    name, parts = name.strip(), rest.split(":")
-    if not sign or len(parts) != 2:
-        raise ExpressionError(f"{text!r} is no range; write NAME=FROM:TO")
+    name, interval = limits_of(text)
     if name not in known:
         hint = did_you_mean(name, known)
         raise UnknownNameError(f"no symbol {name!r} to draw{hint}")
+    return name, interval
+
+
+def limits_of(text: str) -> tuple[str, Interval]:
+    """Any name and its range.
+
+    Raises:
+        ExpressionError: If it is none.
+    """
+    name, sign, rest = text.rpartition("=")
+    parts = rest.split(":")
+    if not sign or len(parts) != 2:
+        raise ExpressionError(f"{text!r} is no range; write NAME=FROM:TO")
     ring = BatchRing({})
     start, stop = (float(evaluate(parse(part, ()), ring)) for part in parts)
     if not start <= stop:
         raise ExpressionError(f"{text!r} ends before it starts")
-    return name, (start, stop)
+    return name.strip(), (start, stop)
 
 
 def posture_symbols(mechanism: Mechanism) -> tuple[str, ...]:

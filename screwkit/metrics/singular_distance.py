@@ -276,7 +276,7 @@ def joint_search(space: JointSpace, limits: Limits | None = None) -> Search:
         limits: Of the coordinates, which count from the posture.
     """
     count = len(space.model.labels)
-    around = Space(np.zeros(count), space.away, space.kept, tied=True)
+    around = Space(space.start, space.away, space.kept, tied=True)
     field = ScrewField(space.model.labels, space.screws, space.forest)
     return Search(
         around, field, space.model_at, space.units, limits or no_limits(count)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from screwkit.reports.about_distance import distance_section
 from screwkit.reports.about_freedoms import (
     branch_blocks,
     class_sentence,
@@ -69,6 +70,7 @@ from screwkit.reports.sections import (
     plain_value,
 )
 from screwkit.results.analysis import Analysis, ClaimCheck
+from screwkit.results.distance import Distance
 from screwkit.results.manipulability import Manipulability
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
@@ -101,6 +103,7 @@ def article(analysis: Analysis) -> Article:
         *_singularities(analysis.singularities),
         *_schemes_section(analysis.schemes),
         *_manipulability(analysis.manipulability),
+        *_distances(analysis.distance),
         *_claims_section(analysis.claims),
         *_conventions_section(analysis),
     ]
@@ -153,6 +156,7 @@ def _summary(analysis: Analysis) -> tuple[Block, ...]:
             ("singularities", analysis.singularities),
             ("actuation schemes", analysis.schemes),
             ("manipulability", analysis.manipulability),
+            ("distances to singularities", analysis.distance),
         )
         if isinstance(answer, Undecided)
     ]
@@ -320,6 +324,14 @@ def _manipulability(answer: Manipulability | Undecided) -> tuple[Block, ...]:
     if isinstance(answer, Undecided):
         return _undecided("Manipulability", answer)
     return manipulability_section(answer)
+
+
+def _distances(answer: Distance | Undecided | None) -> tuple[Block, ...]:
+    if answer is None:
+        return ()
+    if isinstance(answer, Undecided):
+        return _undecided("Distances to singularities", answer)
+    return distance_section(answer)
 
 
 def _claims_section(claims: tuple[ClaimCheck, ...]) -> tuple[Block, ...]:

@@ -203,7 +203,10 @@ def _(result: Analysis) -> tuple[Block, ...]:
         ("SINGULARITIES", result.singularities),
         ("ACTUATION SCHEMES", result.schemes),
         ("MANIPULABILITY", result.manipulability),
+        ("DISTANCES TO SINGULARITIES", result.distance),
     ):
+        if part is None:
+            continue
         parts.append(Heading(words(name), 1))
         parts += blocks(part)
     if result.claims:

@@ -51,6 +51,7 @@ def is_plain_yes(result: Any) -> bool:
                 result.singularities,
                 result.schemes,
                 result.manipulability,
+                result.distance,
             )
             broken = any(
                 claim.holds and claim.agrees is False for claim in result.claims
@@ -86,6 +87,7 @@ def partial_analysis(parts: Sequence[tuple[str, Any]], reason: str) -> Analysis 
         singularities=done.get("singularities", open_question),
         schemes=done.get("schemes", open_question),
         manipulability=done.get("manipulability", open_question),
+        distance=done.get("distance"),
     )
 
 

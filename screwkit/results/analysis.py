@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from screwkit.results.distance import Distance
 from screwkit.results.manipulability import Manipulability
 from screwkit.results.mobility import Mobility
 from screwkit.results.schemes import Schemes
@@ -72,7 +73,11 @@ class Description:
 
 @dataclass(frozen=True, repr=False)
 class Analysis(Shown):
-    """The answer of ``analyze``."""
+    """The answer of ``analyze``.
+
+    Attributes:
+        distance: None where it was not asked for.
+    """
 
     case: str
     title: str
@@ -83,3 +88,4 @@ class Analysis(Shown):
     schemes: Schemes | Undecided
     manipulability: Manipulability | Undecided
     claims: tuple[ClaimCheck, ...] = ()
+    distance: Distance | Undecided | None = None

@@ -88,6 +88,21 @@ class SingularityDistance:
     met: int = 0
 
 
+@dataclass(frozen=True)
+class Within:
+    """The limits of a variable, or of how far a freedom moves from the posture.
+
+    Attributes:
+        name: Of a variable or a freedom of the answer.
+        low: In radians or file lengths.
+        high: The same.
+    """
+
+    name: str
+    low: float
+    high: float
+
+
 @dataclass(frozen=True, repr=False)
 class Distance(Shown):
     """The answer of ``singularities --distance``.
@@ -102,6 +117,8 @@ class Distance(Shown):
         by_freedoms: Of distances by freedoms; None where none is measured.
         singularities: Components in their order, then the kinds looked at by ranks.
         remarks: What the answer leaves out, in sentences.
+        within: Limits; a singularity outside them does not count.
+        unfinished: What was not looked at yet, as words, where time ran out.
     """
 
     case: str
@@ -114,3 +131,5 @@ class Distance(Shown):
     by_freedoms: DistanceMeasure | None
     singularities: tuple[SingularityDistance, ...]
     remarks: tuple[str, ...] = ()
+    within: tuple[Within, ...] = ()
+    unfinished: tuple[str, ...] = ()

@@ -15,11 +15,18 @@ from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.parse import parse
 from screwkit.case import load_text
 from screwkit.errors import ExpressionError, UndecidedError, UnknownNameError
+from screwkit.reports.article import article
+from screwkit.reports.blocks import Paragraph, Text
 from screwkit.reports.conditions import numbered
 from screwkit.reports.records import from_json, to_json
 from screwkit.results.distance import Distance, NearestPosture, SingularityDistance
 
 Point = tuple[float, float]
+
+
+def plain(text: Text) -> str:
+    """The words of a text."""
+    return "".join(str(getattr(part, "text", part)) for part in text)
 
 
 def of(answer: Distance, kind: str, *equations: str) -> SingularityDistance:
@@ -322,7 +329,8 @@ def test_symbols_that_change_the_mechanism_keep_their_values() -> None:
     """Turning the triangles of the base is a design, not a motion."""
     answer = sk.distance(sk.load("dual_6r"))
     assert answer.variables == ()
-    assert "x, z would change the mechanism, and keep their values" in answer.remarks
+    said = "the symbols x, z would change the mechanism, and keep their values"
+    assert said in answer.remarks
 
 
 def test_postures_out_of_reach_are_passed_over() -> None:
@@ -357,6 +365,29 @@ def test_an_answer_goes_through_json_and_reads_well() -> None:
     assert "≈ 0.8244" in text
     assert "the characteristic length" in text
     assert "that nothing is nearer is not proved" in text
+
+
+def test_a_report_has_them_in_a_table_with_units() -> None:
+    """A tenth of a radian of the elbow: the distance of its own singularity."""
+    case = sk.load("dual_planar_arm", at={"qA2": "1/10", "qB2": 1})
+    analysis = sk.analyze(case, distances=True)
+    assert isinstance(analysis.distance, Distance)
+    assert from_json(to_json(analysis)) == analysis
+    composed = article(analysis)
+    (table,) = [
+        table
+        for table in composed.tables
+        if "nearest singularities" in plain(table.caption)
+    ]
+    heads = [plain(column.head) for column in table.columns]
+    assert heads[:3] == ["kind", "distance, rad", "singularity"]
+    assert len(table.rows) == len(analysis.distance.singularities)
+    assert any(plain(row[1]).endswith("0.1") for row in table.rows)
+    said = " ".join(
+        plain(block.text) for block in composed.blocks if isinstance(block, Paragraph)
+    )
+    assert "Nearest singularity: limb 0.1 rad" in said
+    assert "distances" not in str(sk.analyze(case)).casefold()
 
 
 def test_what_is_refused() -> None:
