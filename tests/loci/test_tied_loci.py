@@ -287,9 +287,7 @@ actuated: [A]
         singularities(case)
 
 
-def test_loops_without_closed_points_are_left_open() -> None:
-    """Two spherical joints: their angles are not linear in the closing equations."""
-    text = """
+RSSR = """
 screwkit: 1
 name: rssr
 geometry: reference
@@ -303,6 +301,65 @@ joints:
   - {name: "4", type: revolute, parent: g, child: r, point: [3, 0, 0], axis: [0, 1, 3]}
 actuated: ["1"]
 """
+
+
+def rocker_end(q4: float) -> Array:
+    """C, turned about the axis through (3, 0, 0) by Rodrigues' formula."""
+    axis = np.array([0, 1, 3]) / sqrt(10)
+    arm = np.array([0.0, 2, 1])
+    turned = arm * cos(q4) + np.cross(axis, arm) * np.sin(q4)
+    return np.array([3.0, 0, 0]) + turned + axis * (axis @ arm) * (1 - cos(q4))
+
+
+def rssr_rocker(q1: float) -> list[float]:
+    """Rocker angles at which the rod fits: |B C|² = p cos q4 + q sin q4 + r = 9."""
+    end = np.array([cos(q1), np.sin(q1), 0])
+
+    def gap(q4: float) -> float:
+        return float(np.sum((rocker_end(q4) - end) ** 2)) - 9
+
+    p = (gap(0) - gap(pi)) / 2
+    r = (gap(0) + gap(pi)) / 2
+    q = gap(pi / 2) - r
+    size = np.hypot(p, q)
+    if abs(r) >= size:
+        return []
+    middle = np.arctan2(q, p)
+    return [float(middle + sign * acos(-r / size)) for sign in (1, -1)]
+
+
+def test_a_spatial_crank_never_stops_its_rocker() -> None:
+    """Two rocker angles at every crank angle: nowhere do they fall together."""
+    found = answer(RSSR)
+    assert found.actuation is not None
+    assert found.actuation.admissible
+    assert found.actuation.complete
+    assert not found.actuation.components
+    assert all(len(rssr_rocker(q1)) == 2 for q1 in np.linspace(-pi, pi, 400))
+
+
+def test_the_rod_in_the_plane_of_the_crank_is_the_limbs_singularity() -> None:
+    """Crank axis, B and C in one plane: det(k, B, C) = 0, at closed postures."""
+    limb = answer(RSSR).limb[0]
+    assert limb.complete
+    (component,) = limb.components
+    (equation,) = component.equations
+    ratios = []
+    for q1 in (0.4, 1.3, -2.0):
+        end = np.array([cos(q1), np.sin(q1), 0])
+        for q4 in rssr_rocker(q1):
+            plane = np.linalg.det([[0, 0, 1], end, rocker_end(q4)])
+            ratios.append(value(equation, {"q1": q1, "q4": q4}) / plane)
+    assert np.ptp(ratios) < 1e-9 * abs(ratios[0])
+
+
+def test_loops_without_closed_points_are_left_open() -> None:
+    """A universal joint on a rod: its angles are not linear in few equations."""
+    text = RSSR.replace(
+        'name: "3", type: spherical, parent: c, child: r, point: [3, 2, 1]',
+        'name: "3", type: universal, parent: c, child: r, point: [3, 2, 1], '
+        "axes: [[1, 0, 0], [0, 1, 0]]",
+    )
     with pytest.raises(UndecidedError, match="no exact closed posture"):
         singularities(load_text(text))
 
