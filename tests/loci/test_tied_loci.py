@@ -308,7 +308,8 @@ def rocker_end(q4: float) -> Array:
     axis = np.array([0, 1, 3]) / sqrt(10)
     arm = np.array([0.0, 2, 1])
     turned = arm * cos(q4) + np.cross(axis, arm) * np.sin(q4)
-    return np.array([3.0, 0, 0]) + turned + axis * (axis @ arm) * (1 - cos(q4))
+    along = axis * float(axis @ arm) * (1 - cos(q4))
+    return np.asarray(np.array([3.0, 0, 0]) + turned + along)
 
 
 def rssr_rocker(q1: float) -> list[float]:
@@ -348,7 +349,7 @@ def test_the_rod_in_the_plane_of_the_crank_is_the_limbs_singularity() -> None:
     for q1 in (0.4, 1.3, -2.0):
         end = np.array([cos(q1), np.sin(q1), 0])
         for q4 in rssr_rocker(q1):
-            plane = np.linalg.det([[0, 0, 1], end, rocker_end(q4)])
+            plane = np.linalg.det(np.array([[0, 0, 1], end, rocker_end(q4)]))
             ratios.append(value(equation, {"q1": q1, "q4": q4}) / plane)
     assert np.ptp(ratios) < 1e-9 * abs(ratios[0])
 
