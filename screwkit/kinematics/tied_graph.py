@@ -23,7 +23,7 @@ from screwkit.errors import UndecidedError
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.kinematics.freedoms import JointTwist
 from screwkit.kinematics.loop_closing import closing_equations, with_rods_outside
-from screwkit.kinematics.network import Motion, Network
+from screwkit.kinematics.network import Motion, Network, motion
 from screwkit.kinematics.placement import joint_twists
 from screwkit.kinematics.whole_graph import GraphState, WholeGraph, state_of
 from screwkit.mechanism.model import JointType, Mechanism
@@ -142,6 +142,16 @@ class TiedGraph(WholeGraph):
             raise UndecidedError(
                 f"{self.network.tied}, and no exact closed posture was found"
             )
+
+    def limb_freedom(self, number: int) -> int:
+        """Dimension of the twists that a limb alone allows, at closed postures."""
+        ends = self.mechanism.base, self.mechanism.platform
+        part = self.network.part(self.network.limbs[number].joints, ends)
+        found = [
+            state_of(motion(part, self.posture_at(*point)))
+            for point in self.closed.points
+        ]
+        return max(found, key=lambda state: state.loop).platform_freedom
 
     def rank_of(
         self, labels: Sequence[str], points: Sequence[tuple[Point, int]]

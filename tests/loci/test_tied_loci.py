@@ -365,6 +365,47 @@ def test_loops_without_closed_points_are_left_open() -> None:
         singularities(load_text(text))
 
 
+SIX_BAR = """
+screwkit: 1
+name: six_bar
+space: planar
+geometry: reference
+base: O
+platform: coupler
+links: [O, crank, ternary, rocker, coupler, output]
+points: {A: [0, 0], B: [1, 2], C: [5, 3], D: [6, 0], E: [4, 6], F: [9, 4], G: [10, -1]}
+joints:
+  - {name: A, type: revolute, parent: O, child: crank, point: A}
+  - {name: B, type: revolute, parent: crank, child: ternary, point: B}
+  - {name: C, type: revolute, parent: ternary, child: rocker, point: C}
+  - {name: D, type: revolute, parent: O, child: rocker, point: D}
+  - {name: E, type: revolute, parent: ternary, child: coupler, point: E}
+  - {name: F, type: revolute, parent: coupler, child: output, point: F}
+  - {name: G, type: revolute, parent: O, child: output, point: G}
+actuated: [A]
+"""
+
+
+def test_two_loops_say_what_is_known_of_them() -> None:
+    """B, C, D in line is a dead point of the first loop; the rest is left open."""
+    found = answer(SIX_BAR)
+    assert found.actuation is not None
+    assert not found.actuation.complete
+    assert found.actuation.reason
+    (component,) = found.actuation.components
+    for q1, q2 in ((0.3, 0.4), (-1.0, 2.0)):
+        b = cmath.exp(1j * q1) * (1 + 2j)
+        c = b + cmath.exp(1j * (q1 + q2)) * (4 + 1j)
+        at = {"qA": q1, "qB": q2}
+        expected = value(component.equations[0], {"qA": 0.0, "qB": 0.0}) / area(
+            1 + 2j, 5 + 3j, 6
+        )
+        assert isclose(value(component.equations[0], at) / area(b, c, 6), expected)
+    first, second = found.limb
+    assert (first.generic_rank, first.complete) == (2, False)
+    assert (second.generic_rank, second.complete) == (2, True)
+
+
 def test_numbers_of_the_helpers() -> None:
     """A closed posture of the helper closes: the pivots are as far apart as told."""
     at = four_bar(0.8, 1)
