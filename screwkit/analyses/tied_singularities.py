@@ -109,7 +109,7 @@ def _limb(graph: TiedGraph, number: int, kept: Sequence[Unknown]) -> LimbSingula
         return LimbSingularities(
             limb=limb.name,
             joints=labels,
-            generic_rank=_size(graph),
+            generic_rank=graph.limb_freedom(number),
             complete=False,
             components=(),
             reason="the limb is no chain, and its loops tie joint variables together",

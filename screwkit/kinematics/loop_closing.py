@@ -9,7 +9,8 @@ References: [MurrayLiSastry1994] §3.2, [KhalilKleinfinger1986].
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from screwkit.algebra.ring import Ring, S
 from screwkit.errors import UndecidedError
@@ -65,13 +66,67 @@ def _of_table(mechanism: Mechanism, ring: Ring[S]) -> Iterator[S]:
             yield from shift
 
 
+def rods(mechanism: Mechanism) -> dict[str, tuple[Joint, Joint]]:
+    """Bodies between two spherical joints, through which nothing else is placed.
+
+    Only the distance of their ends matters; how they are turned about it does not.
+
+    Returns:
+        By body: the joint by which it is placed, and the one that closes a loop.
+    """
+    tree = set(spanning_tree(mechanism))
+    found = {}
+    for link in mechanism.links:
+        own = [j for j in mechanism.joints if link in (j.parent, j.child)]
+        kinds = {joint.type for joint in own}
+        placing = [joint for joint in own if joint.name in tree]
+        if len(own) == 2 and kinds == {JointType.SPHERICAL} and len(placing) == 1:
+            (closing,) = (joint for joint in own if joint.name not in tree)
+            if link not in (mechanism.base, mechanism.platform):
+                found[link] = placing[0], closing
+    return found
+
+
+def with_rods_outside(mechanism: Mechanism) -> Mechanism:
+    """The mechanism with both ends of every rod placed by the bodies beside it."""
+    ends = {j.name: rod for rod, pair in rods(mechanism).items() for j in pair}
+    joints = tuple(
+        replace(joint, parent=joint.child, child=joint.parent)
+        if ends.get(joint.name) == joint.parent
+        else joint
+        for joint in mechanism.joints
+    )
+    return replace(mechanism, joints=joints)
+
+
 def _of_reference(mechanism: Mechanism, ring: Ring[S]) -> Iterator[S]:
     tree = set(spanning_tree(mechanism))
     placed, _ = placed_by_variables(mechanism, ring)
+    by_rod = {pair[1].name: (rod, pair) for rod, pair in rods(mechanism).items()}
     for joint in mechanism.joints:
-        if joint.name not in tree:
+        if joint.name in by_rod:
+            yield _length(*by_rod[joint.name], mechanism, ring, placed)
+        elif joint.name not in tree:
             ends = placed[joint.parent], placed[joint.child]
             yield from _between(joint, mechanism, ring, *ends)
+
+
+def _length(
+    rod: str,
+    ends: Sequence[Joint],
+    mechanism: Mechanism,
+    ring: Ring[S],
+    placed: Mapping[str, Displacement[S]],
+) -> S:
+    """The squared distance of a rod's ends, less what it is at joint variables 0."""
+    here, before = [], []
+    for joint in ends:
+        beside = joint.child if joint.parent == rod else joint.parent
+        twist = freedom_twists(joint, ring, mechanism.space)[0]
+        before.append(twist.point)
+        here.append(carried(twist, placed[beside], ring).point)
+    now, then = (vector.subtract(*pair) for pair in (here, before))
+    return vector.dot(now, now) - vector.dot(then, then)
 
 
 def _between(

@@ -153,6 +153,11 @@ def why_tied(mechanism: Mechanism) -> str:
         return "closed loops tie the joint variables together" if loops else ""
     placed_by: dict[str, str] = {}
     for joint in table_joints(mechanism):
+        if joint.child == mechanism.base:
+            return (
+                f"joint {joint.name!r} places the base, which ties the joint variables "
+                f"together"
+            )
         if joint.child in placed_by:
             return (
                 f"joints {placed_by[joint.child]!r} and {joint.name!r} both place "

@@ -9,7 +9,7 @@ References: [LongCaroKhalil2012] (4)-(9), [Schwartz1980].
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -21,10 +21,13 @@ from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.errors import UndecidedError
 from screwkit.kinematics.frames import FramedTwists
-from screwkit.kinematics.loop_closing import closing_equations
-from screwkit.kinematics.network import Motion
+from screwkit.kinematics.freedoms import JointTwist
+from screwkit.kinematics.loop_closing import closing_equations, with_rods_outside
+from screwkit.kinematics.network import Motion, Network, motion
 from screwkit.kinematics.placement import joint_twists
 from screwkit.kinematics.whole_graph import GraphState, WholeGraph, state_of
+from screwkit.mechanism.model import JointType, Mechanism
+from screwkit.screw import vector
 
 _BUDGET = 60  # case distinctions on the closing equations
 
@@ -39,7 +42,7 @@ class TiedGraph(WholeGraph):
         Raises:
             UndecidedError: If a freedom is not placed there.
         """
-        mechanism, base = self.mechanism, self.mechanism.base
+        mechanism, base = with_rods_outside(self.mechanism), self.mechanism.base
         seen = SurveyRing()
         joint_twists(mechanism, seen, base)
         closing_equations(mechanism, seen)
@@ -50,6 +53,7 @@ class TiedGraph(WholeGraph):
             raise UndecidedError(
                 f"nothing places joint {missing[0]!r} relative to the base"
             )
+        twists = {**twists, **_about_centres(mechanism, self.network, ring, twists)}
         labels = self.network.labels
         return FramedTwists(
             ring,
@@ -68,7 +72,7 @@ class TiedGraph(WholeGraph):
         """The closing equations, each once."""
         ring = self.framed.ring
         found: dict[str, Polynomial] = {}
-        for equation in closing_equations(self.mechanism, ring):
+        for equation in closing_equations(with_rods_outside(self.mechanism), ring):
             value = ring.without_divisors([equation])[0]
             if value != 0 and str(-value) not in found:
                 found.setdefault(str(value), value)
@@ -139,12 +143,45 @@ class TiedGraph(WholeGraph):
                 f"{self.network.tied}, and no exact closed posture was found"
             )
 
+    def limb_freedom(self, number: int) -> int:
+        """Dimension of the twists that a limb alone allows, at closed postures."""
+        ends = self.mechanism.base, self.mechanism.platform
+        part = self.network.part(self.network.limbs[number].joints, ends)
+        found = [
+            state_of(motion(part, self.posture_at(*point)))
+            for point in self.closed.points
+        ]
+        return max(found, key=lambda state: state.loop).platform_freedom
+
     def rank_of(
         self, labels: Sequence[str], points: Sequence[tuple[Point, int]]
     ) -> int:
         """The largest rank of the twists of some freedoms at exact postures."""
         columns = [self.framed.column(label) for label in labels]
         return max(rank_at(columns, *point) for point in points)
+
+
+def _about_centres(
+    mechanism: Mechanism,
+    network: Network,
+    ring: TrigonometricRing,
+    twists: Mapping[str, JointTwist[Polynomial]],
+) -> dict[str, JointTwist[Polynomial]]:
+    """Spherical joints by rotations about x, y, z: their own angles do not matter."""
+    found = {}
+    zero, one = ring.zero, ring.one
+    axes = (one, zero, zero), (zero, one, zero), (zero, zero, one)
+    for joint in mechanism.joints:
+        if joint.type is not JointType.SPHERICAL or mechanism.space == "planar":
+            continue
+        labels = network.labels_of[joint.name]
+        centre = twists[labels[0]].point
+        for label, axis in zip(labels, axes, strict=True):
+            moment = vector.normal(ring, vector.cross(centre, axis))
+            found[label] = twists[label]._replace(
+                direction=axis, moment=moment, point=centre
+            )
+    return found
 
 
 class ClosedPart:

@@ -17,7 +17,7 @@ import pytest
 import screwkit as sk
 from screwkit import cli
 from screwkit.analyses.moved import closed_table
-from screwkit.case import Case
+from screwkit.case import Case, load_text
 from screwkit.errors import MechanismFileError, UndecidedError
 from screwkit.finite.table_closure import OPEN, table_misses
 from screwkit.finite.table_search import closed_posture
@@ -343,3 +343,26 @@ def test_a_table_that_closes_elsewhere_is_moved(tmp_path: Path) -> None:
     ELSEWHERE["four-bar"].load(tmp_path)
     found = mobility(sk.load(tmp_path / "linkage.yaml", at={"qA": "1/10"})).at_posture
     assert found is not None
+
+
+def test_a_row_that_places_the_base_closes_a_loop() -> None:
+    """Bennett's loop, walked once around: the last row leads back to the base."""
+    text = """
+screwkit: 1
+name: around
+geometry: mdh
+base: ground
+platform: b
+links: [ground, a, b, c, d]
+joints:
+  - {name: A, type: revolute, parent: ground, child: a, mdh: {}}
+  - {name: B, type: revolute, parent: a, child: b, mdh: {d: 1, alpha: pi/6}}
+  - {name: C, type: revolute, parent: b, child: c, mdh: {d: 2, alpha: pi/2}}
+  - {name: D, type: revolute, parent: c, child: d, mdh: {d: 1, alpha: pi/6}}
+  - {name: E, type: fixed, parent: d, child: ground, mdh: {d: 2, alpha: pi/2}}
+"""
+    case = load_text(text)
+    assert "places the base" in case.network.tied
+    answer = mobility(case)
+    assert answer.instantaneous_mobility == 1
+    assert answer.redundant_constraints == 3

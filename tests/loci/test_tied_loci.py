@@ -287,9 +287,7 @@ actuated: [A]
         singularities(case)
 
 
-def test_loops_without_closed_points_are_left_open() -> None:
-    """Two spherical joints: their angles are not linear in the closing equations."""
-    text = """
+RSSR = """
 screwkit: 1
 name: rssr
 geometry: reference
@@ -303,8 +301,109 @@ joints:
   - {name: "4", type: revolute, parent: g, child: r, point: [3, 0, 0], axis: [0, 1, 3]}
 actuated: ["1"]
 """
+
+
+def rocker_end(q4: float) -> Array:
+    """C, turned about the axis through (3, 0, 0) by Rodrigues' formula."""
+    axis = np.array([0, 1, 3]) / sqrt(10)
+    arm = np.array([0.0, 2, 1])
+    turned = arm * cos(q4) + np.cross(axis, arm) * np.sin(q4)
+    along = axis * float(axis @ arm) * (1 - cos(q4))
+    return np.asarray(np.array([3.0, 0, 0]) + turned + along)
+
+
+def rssr_rocker(q1: float) -> list[float]:
+    """Rocker angles at which the rod fits: |B C|² = p cos q4 + q sin q4 + r = 9."""
+    end = np.array([cos(q1), np.sin(q1), 0])
+
+    def gap(q4: float) -> float:
+        return float(np.sum((rocker_end(q4) - end) ** 2)) - 9
+
+    p = (gap(0) - gap(pi)) / 2
+    r = (gap(0) + gap(pi)) / 2
+    q = gap(pi / 2) - r
+    size = np.hypot(p, q)
+    if abs(r) >= size:
+        return []
+    middle = np.arctan2(q, p)
+    return [float(middle + sign * acos(-r / size)) for sign in (1, -1)]
+
+
+def test_a_spatial_crank_never_stops_its_rocker() -> None:
+    """Two rocker angles at every crank angle: nowhere do they fall together."""
+    found = answer(RSSR)
+    assert found.actuation is not None
+    assert found.actuation.admissible
+    assert found.actuation.complete
+    assert not found.actuation.components
+    assert all(len(rssr_rocker(q1)) == 2 for q1 in np.linspace(-pi, pi, 400))
+
+
+def test_the_rod_in_the_plane_of_the_crank_is_the_limbs_singularity() -> None:
+    """Crank axis, B and C in one plane: det(k, B, C) = 0, at closed postures."""
+    limb = answer(RSSR).limb[0]
+    assert limb.complete
+    (component,) = limb.components
+    (equation,) = component.equations
+    ratios = []
+    for q1 in (0.4, 1.3, -2.0):
+        end = np.array([cos(q1), np.sin(q1), 0])
+        for q4 in rssr_rocker(q1):
+            plane = np.linalg.det(np.array([[0, 0, 1], end, rocker_end(q4)]))
+            ratios.append(value(equation, {"q1": q1, "q4": q4}) / plane)
+    assert np.ptp(ratios) < 1e-9 * abs(ratios[0])
+
+
+def test_loops_without_closed_points_are_left_open() -> None:
+    """A universal joint on a rod: its angles are not linear in few equations."""
+    text = RSSR.replace(
+        'name: "3", type: spherical, parent: c, child: r, point: [3, 2, 1]',
+        'name: "3", type: universal, parent: c, child: r, point: [3, 2, 1], '
+        "axes: [[1, 0, 0], [0, 1, 0]]",
+    )
     with pytest.raises(UndecidedError, match="no exact closed posture"):
         singularities(load_text(text))
+
+
+SIX_BAR = """
+screwkit: 1
+name: six_bar
+space: planar
+geometry: reference
+base: O
+platform: coupler
+links: [O, crank, ternary, rocker, coupler, output]
+points: {A: [0, 0], B: [1, 2], C: [5, 3], D: [6, 0], E: [4, 6], F: [9, 4], G: [10, -1]}
+joints:
+  - {name: A, type: revolute, parent: O, child: crank, point: A}
+  - {name: B, type: revolute, parent: crank, child: ternary, point: B}
+  - {name: C, type: revolute, parent: ternary, child: rocker, point: C}
+  - {name: D, type: revolute, parent: O, child: rocker, point: D}
+  - {name: E, type: revolute, parent: ternary, child: coupler, point: E}
+  - {name: F, type: revolute, parent: coupler, child: output, point: F}
+  - {name: G, type: revolute, parent: O, child: output, point: G}
+actuated: [A]
+"""
+
+
+def test_two_loops_say_what_is_known_of_them() -> None:
+    """B, C, D in line is a dead point of the first loop; the rest is left open."""
+    found = answer(SIX_BAR)
+    assert found.actuation is not None
+    assert not found.actuation.complete
+    assert found.actuation.reason
+    (component,) = found.actuation.components
+    for q1, q2 in ((0.3, 0.4), (-1.0, 2.0)):
+        b = cmath.exp(1j * q1) * (1 + 2j)
+        c = b + cmath.exp(1j * (q1 + q2)) * (4 + 1j)
+        at = {"qA": q1, "qB": q2}
+        expected = value(component.equations[0], {"qA": 0.0, "qB": 0.0}) / area(
+            1 + 2j, 5 + 3j, 6
+        )
+        assert isclose(value(component.equations[0], at) / area(b, c, 6), expected)
+    first, second = found.limb
+    assert (first.generic_rank, first.complete) == (2, False)
+    assert (second.generic_rank, second.complete) == (2, True)
 
 
 def test_numbers_of_the_helpers() -> None:
