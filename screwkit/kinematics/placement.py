@@ -144,7 +144,8 @@ def why_tied(mechanism: Mechanism) -> str:
     """What ties joint variables together, or an empty text.
 
     In ``posture`` files loops are closed by construction, in an ``mdh`` file whose
-    table places every link once the object is grasped wherever the limbs are.
+    table places every link once the object is grasped wherever the limbs are.  The
+    base needs no row: one that leads back to it closes a loop.
     """
     if mechanism.geometry == "posture":
         return ""
@@ -153,6 +154,11 @@ def why_tied(mechanism: Mechanism) -> str:
         return "closed loops tie the joint variables together" if loops else ""
     placed_by: dict[str, str] = {}
     for joint in table_joints(mechanism):
+        if joint.child == mechanism.base:
+            return (
+                f"the row of joint {joint.name!r} leads back to the base, which ties "
+                f"the joint variables together"
+            )
         if joint.child in placed_by:
             return (
                 f"joints {placed_by[joint.child]!r} and {joint.name!r} both place "
