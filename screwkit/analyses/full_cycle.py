@@ -80,6 +80,12 @@ def _as_proved(known: FullCycle, at: Motion, kind: str) -> bool:
 
 def _all_closed(network: Network, at: Motion) -> FullCycle:
     """Where the object is grasped wherever the limbs are."""
+    if not at.mobility:
+        reason = (
+            "every posture of the joints is closed, and from a generic one no joint "
+            "rates keep it so"
+        )
+        return FullCycle("proved", (0,), reason)
     if at.rank == len(network.rows) * len(network.loops):
         reason = (
             "all joint variables are free and every posture is closed; the closure "

@@ -144,7 +144,8 @@ def why_tied(mechanism: Mechanism) -> str:
     """What ties joint variables together, or an empty text.
 
     In ``posture`` files loops are closed by construction, in an ``mdh`` file whose
-    table places every link once the object is grasped wherever the limbs are.
+    table places every link once the object is grasped wherever the limbs are.  The
+    base needs no row: one that leads back to it closes a loop.
     """
     if mechanism.geometry == "posture":
         return ""
@@ -155,8 +156,8 @@ def why_tied(mechanism: Mechanism) -> str:
     for joint in table_joints(mechanism):
         if joint.child == mechanism.base:
             return (
-                f"joint {joint.name!r} places the base, which ties the joint variables "
-                f"together"
+                f"the row of joint {joint.name!r} leads back to the base, which ties "
+                f"the joint variables together"
             )
         if joint.child in placed_by:
             return (

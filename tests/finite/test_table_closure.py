@@ -362,7 +362,65 @@ joints:
   - {name: E, type: fixed, parent: d, child: ground, mdh: {d: 2, alpha: pi/2}}
 """
     case = load_text(text)
-    assert "places the base" in case.network.tied
+    assert "leads back to the base" in case.network.tied
     answer = mobility(case)
     assert answer.instantaneous_mobility == 1
     assert answer.redundant_constraints == 3
+
+
+BACK_TO_BASE = """\
+screwkit: 1
+name: linkage
+geometry: mdh
+base: base
+platform: rod
+links: [base, crank, rod, rocker, tip]
+joints:
+  - {{name: A, type: revolute, parent: base, child: crank, mdh: {{}}}}
+  - {{name: B, type: revolute, parent: crank, child: rod, mdh: {{{one}}}}}
+  - {{name: C, type: revolute, parent: rod, child: rocker, mdh: {{{other}}}}}
+  - {{name: D, type: revolute, parent: rocker, child: tip, mdh: {{{one}}}}}
+  - {{name: E, type: fixed, parent: tip, child: base, mdh: {{{other}}}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "rank", "moved"),
+    [
+        ("d: 4", "d: 3", 3, (1,)),
+        ("d: 4, alpha: 2*atan(1/2)", "d: 3, alpha: 2*atan(1/3)", 3, (1,)),
+    ],
+    ids=["four-bar", "bennett"],
+)
+def test_a_row_that_leads_back_to_the_base_closes_the_loop(
+    tmp_path: Path, one: str, other: str, rank: int, moved: tuple[int, ...]
+) -> None:
+    """Sides equal in pairs: a planar loop, and Bennett's, as the sines are 4/5, 3/5."""
+    path = tmp_path / "linkage.yaml"
+    path.write_text(BACK_TO_BASE.format(one=one, other=other), encoding="utf-8")
+    case = sk.load(path)
+    values = closed_values(case)
+    if "alpha" in one:
+        # tan(a/2) tan(b/2) is constant, of one sign and size or of its inverse.
+        half = abs(tan(values["A"] / 2) * tan(values["B"] / 2))
+        known = (1 / 2 + 1 / 3) / (1 / 2 - 1 / 3)
+        assert min(half, 1 / half) == pytest.approx(1 / known)
+    found = mobility(case)
+    assert found.loop_rank == rank
+    assert found.full_cycle.mobility == moved
+
+
+def test_what_is_held_wherever_it_is_may_not_move_at_all(tmp_path: Path) -> None:
+    """An open chain of two hinges whose end is held: nothing is left to move."""
+    path = tmp_path / "held.yaml"
+    path.write_text(
+        "screwkit: 1\nname: held\ngeometry: mdh\nbase: base\nplatform: tool\n"
+        "links: [base, arm, tool]\njoints:\n"
+        "  - {name: A, type: revolute, parent: base, child: arm, mdh: {}}\n"
+        "  - {name: B, type: revolute, parent: arm, child: tool, mdh: {d: 1}}\n"
+        "  - {name: hold, type: fixed, parent: tool, child: base}\n",
+        encoding="utf-8",
+    )
+    cycle = mobility(sk.load(path)).full_cycle
+    assert cycle.mobility == (0,)
+    assert "no joint rates keep it so" in cycle.reason
