@@ -76,6 +76,13 @@ def test_out_of_time_keeps_the_parts_and_kills_the_family(tmp_path: Path) -> Non
     assert gone(int(wait_for(witness)))
 
 
+def test_a_part_that_grows_is_kept_once() -> None:
+    outcome = run(job("growing"))
+    assert isinstance(outcome, Refused)
+    titles = [(name, part.title) for name, part in outcome.parts]
+    assert titles == [("mobility", samples.MOBILITY.title), ("distance", "farther")]
+
+
 def test_a_death_is_an_undecided_answer() -> None:
     outcome = run(job("dies"))
     assert isinstance(outcome, Died)

@@ -128,12 +128,13 @@ def unit_rows(
     batch = np.broadcast_shapes(*(np.shape(v) for v in values.values())) or (1,)
     found = {}
     for label, twist in joint_twists(mechanism, ring, mechanism.base).items():
-        parts = [np.broadcast_to(x, batch) for x in twist.coordinates]
-        row = np.stack(parts, axis=-1)
+        row = np.empty((*batch, 6))
+        for i, coordinate in enumerate(twist.coordinates):
+            row[..., i] = coordinate
         turns = bool(np.any(row[..., :3]))
         half = row[..., :3] if turns else row[..., 3:]
         with np.errstate(divide="ignore", invalid="ignore"):
-            row = row / np.linalg.norm(half, axis=-1, keepdims=True)
+            row /= np.sqrt(np.einsum("...i,...i->...", half, half))[..., None]
         found[label] = row / ([1, 1, 1, length, length, length] if turns else 1.0)
     return found
 

@@ -34,10 +34,10 @@ STALLED = 6
 LONGEST = 0.5
 """Largest step of Newton's method."""
 
-MENDING = 8
+MENDING = 6
 """Steps in which a point beside the equations is brought back to them."""
 
-HALVINGS = 9
+HALVINGS = 7
 """How often a step that leads no nearer is cut, each time to a third."""
 
 SETTLED = 3e-7

@@ -67,13 +67,24 @@ class RigidBodies:
     def values(self, rows: Rows) -> Array:
         """What must stay, shape (batch, count)."""
         feet = {x: cross(rows[x][:, :3], rows[x][:, 3:]) for x in self.lines}
-        found = [x for body in self.bodies for x in self._of(body, rows, feet)]
+        labels = {point for body in self.bodies for point in body.points}
+        centres = {point: centre(rows, point) for point in labels}
+        found = [x for body in self.bodies for x in self._of(body, rows, feet, centres)]
         batch = len(next(iter(rows.values()))) if rows else 1
         if not found:
             return np.zeros((batch, 0))
-        return np.stack([np.broadcast_to(x, batch) for x in found], axis=-1)
+        values = np.empty((batch, len(found)))
+        for i, value in enumerate(found):
+            values[:, i] = value
+        return values
 
-    def _of(self, body: _Body, rows: Rows, feet: Rows) -> Iterator[Array]:
+    def _of(
+        self,
+        body: _Body,
+        rows: Rows,
+        feet: Rows,
+        centres: Mapping[tuple[str, ...], Array],
+    ) -> Iterator[Array]:
         along = {label: rows[label][:, :3] for label in body.lines}
         ways = [*along.values(), *(rows[label][:, 3:] for label in body.slides)]
         yield from (_dot(one, two) for one, two in combinations(ways, 2))
@@ -85,7 +96,7 @@ class RigidBodies:
                 yield _dot(along[one], rows[two][:, 3:]) + _dot(
                     along[two], rows[one][:, 3:]
                 )
-        points = [centre(rows, labels) for labels in body.points]
+        points = [centres[labels] for labels in body.points]
         for here, there in combinations(points, 2):
             yield from _told(there - here, ways)
         arms = [there - points[0] for there in points[1:4]]
@@ -106,11 +117,7 @@ def _told(way: Array, directions: list[Array]) -> Iterator[Array]:
 
 
 def _dot(one: Array, two: Array) -> Array:
-    return np.asarray(
-        one[..., 0] * two[..., 0]
-        + one[..., 1] * two[..., 1]
-        + one[..., 2] * two[..., 2]
-    )
+    return np.asarray(np.einsum("...i,...i->...", one, two))
 
 
 def centre(rows: Rows, labels: Sequence[str]) -> Array:
@@ -119,10 +126,11 @@ def centre(rows: Rows, labels: Sequence[str]) -> Array:
     moments = np.stack([rows[x][:, 3:] for x in labels], axis=1)
     across = np.eye(3) - along[..., :, None] * along[..., None, :]
     feet = cross(along, moments).sum(axis=1)
-    whole = across.sum(axis=1)
-    exist = np.isfinite(whole).all(axis=(1, 2))
-    whole = np.where(exist[:, None, None], whole, np.eye(3))
-    return np.asarray(np.linalg.solve(whole, feet[..., None])[..., 0])
+    one, two, three = np.moveaxis(across.sum(axis=1), 1, 0)
+    # By Cramer's rule: the matrices are symmetric and far from singular.
+    rows = np.stack([cross(two, three), cross(three, one), cross(one, two)], axis=1)
+    size = _dot(one, rows[:, 0])
+    return np.asarray((rows @ feet[..., None])[..., 0] / size[:, None])
 
 
 def rigid_bodies(mechanism: Mechanism, rows: Rows) -> RigidBodies | None:

@@ -6,6 +6,7 @@ import os
 import subprocess
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -33,6 +34,13 @@ def slow(_case: object, progress: Progress, finished: Progress, witness: str) ->
     finished("mobility", samples.MOBILITY)
     progress("expanding minors", "6 x 10")
     time.sleep(60)
+
+
+def growing(_case: object, finished: Progress) -> None:
+    finished("mobility", samples.MOBILITY)
+    finished("distance", replace(samples.MOBILITY, title="so far"))
+    finished("distance", replace(samples.MOBILITY, title="farther"))
+    raise TooLargeError("the rest is too large")
 
 
 def dies(_case: object) -> None:
