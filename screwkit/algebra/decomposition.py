@@ -154,7 +154,7 @@ def _settle(
     search: Search,
 ) -> None:
     """Take a branch on which all polynomials vanish, or what it consists of."""
-    if not branch.points and is_excluded(branch, nonzero):
+    if not _is_possible(branch) and is_excluded(branch, nonzero):
         return
     if _eliminated(branch, polynomials, nonzero, search):
         return

@@ -14,7 +14,7 @@ References: [CoxLittleOShea] §9.1 (determinantal varieties).
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -30,9 +30,11 @@ from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.errors import TooLargeError
 from screwkit.loci.pieces import Piece
 
-_BUDGET = 120  # case distinctions for the zeros of one piece's equations
+_BUDGET = 160  # case distinctions for the zeros of one piece's equations
 _ROUNDS = 3  # of exclusion: an equation may leave less, but not nothing
-_TRIED = 12  # choices of rows and columns, of which the shortest minor is taken
+_ADDED = 3  # equations in one round
+_SETS = 20  # in which parts are looked for: parts beside parts
+_TRIED = 6  # choices of rows and columns, of which the shortest minor is taken
 _PRODUCTS = 20_000  # of terms, in the expansion of a minor by one more column
 
 
@@ -128,19 +130,21 @@ def _regular_parts(piece: Piece, singular: Singularity) -> tuple[list[Branch], b
     """Parts of the zeros on which nothing is singular, and whether these are all."""
     found: list[Branch] = []
     is_whole = True
-    for equations in _where_to_look(piece):
-        waiting = [singular.root]
-        while waiting:
-            search = _search(singular)
-            zeros = common_zeros(waiting.pop(), equations, search)
-            is_whole = is_whole and zeros.complete
-            for part in zeros.branches:
-                others = other_parts(part, search)
-                is_whole = is_whole and others is not None and bool(part.points)
-                waiting += others or ()
-                if part.points and not singular.holds_on(part):
-                    found.append(part)
-    return found, is_whole
+    waiting = [singular.root]
+    for _ in range(_SETS):
+        if not waiting:
+            break
+        branch, search = waiting.pop(), _search(singular)
+        values = [branch.value(equation) for equation in piece.equations]
+        zeros = common_zeros(branch, values, search)
+        is_whole = is_whole and zeros.complete
+        for part in zeros.branches:
+            others = other_parts(part, search)
+            is_whole = is_whole and others is not None and bool(part.points)
+            waiting += others or ()
+            if part.points and not singular.holds_on(part):
+                found.append(part)
+    return found, is_whole and not waiting
 
 
 def _search(singular: Singularity) -> Search:
@@ -154,17 +158,6 @@ def _search(singular: Singularity) -> Search:
     return replace(own, every_part=True, skip=is_settled)
 
 
-def _where_to_look(piece: Piece) -> Iterator[tuple[Polynomial, ...]]:
-    """The equations, and again with each divisor that solving them took as non-zero."""
-    yield piece.equations
-    seen: set[str] = set()
-    for branch in piece.branches:
-        for step in branch.steps:
-            if step.partial and str(step.divisor) not in seen:
-                seen.add(str(step.divisor))
-                yield (*piece.equations, step.divisor)
-
-
 def _excluding(
     parts: Sequence[Branch], piece: Piece, singular: Singularity
 ) -> list[Polynomial]:
@@ -174,7 +167,7 @@ def _excluding(
         for point, prime in part.points:
             if rank_at(singular.columns, point, prime) < singular.rank:
                 continue
-            if any(residue(e, point, prime) for e in extra):
+            if len(extra) == _ADDED or any(residue(e, point, prime) for e in extra):
                 continue
             minor = _minor_at(singular, point, prime)
             if minor is not None:
@@ -196,9 +189,12 @@ def _minor_at(singular: Singularity, point: Point, prime: int) -> Polynomial | N
     """A short minor, as large as the rank at a point, that is not zero there."""
     columns = singular.columns
     source = random.Random(len(columns))
+    sizes = [sum(map(len, column)) for column in columns]
     best: Polynomial | None = None
-    for _ in range(_TRIED):
-        order = source.sample(range(len(columns)), len(columns))
+    for number in range(_TRIED):
+        noise = 4 if number else 0
+        weights = [size * (1 + source.uniform(0, noise)) for size in sizes]
+        order = sorted(range(len(columns)), key=weights.__getitem__)
         heights = source.sample(range(len(columns[0])), len(columns[0]))
         values = [
             [residue(columns[k][h], point, prime) for h in heights] for k in order

@@ -42,7 +42,7 @@ from screwkit.kinematics.limb_parts import (
 )
 from screwkit.loci.limb_systems import UnclearError, limb_system
 from screwkit.loci.rank_drop import extensors
-from screwkit.loci.reciprocal_minors import reciprocal_meets, reciprocal_minors
+from screwkit.loci.reciprocal_meets import reciprocal_meets
 from screwkit.loci.wrench_vectors import Vector, overlap_minors, spanning_wrenches
 
 Extensor: TypeAlias = Mapping[int, Polynomial]
@@ -232,30 +232,20 @@ def _telling(
     units = list(filling_units(at_point, height, prime))
     first = [own[0] for own in charts]
     units.sort(key=lambda one: (cost(first, one), one))
-    if within:
-        overlapping = _overlap(at_point, height, prime)
-        twists = _twists(branch, limbs)
-        if twists and not overlapping:
-            meets = reciprocal_meets(branch, twists, first, height)
-            if any(residue(value, point, prime) for value in meets):
-                return meets
-        if overlapping:
-            spans = [
-                spanning_wrenches(branch, own[0], height, len(basis))
-                for own, basis in zip(charts, at_point, strict=True)
-            ]
-            dearest = max(CHEAP, min(cost(first, one) for one in units))
-            if twists:
-                counts = [height - len(basis) for basis in at_point]
-                minors = reciprocal_minors(
-                    branch, twists, spans, counts, (point, prime), LONGEST
-                )
-                if minors:
-                    return minors
-            vectors = [vector for span in spans for vector in span]
-            minors = overlap_minors(branch, vectors, (point, prime), dearest, LONGEST)
-            if minors:
-                return minors
+    if within and _overlap(at_point, height, prime):
+        vectors = [
+            vector
+            for own, twists in zip(charts, at_point, strict=True)
+            for vector in spanning_wrenches(branch, own[0], height, len(twists))
+        ]
+        dearest = max(CHEAP, min(cost(first, one) for one in units))
+        minors = overlap_minors(branch, vectors, (point, prime), dearest, LONGEST)
+        if minors:
+            return minors
+    elif within and not any(map(has_loops, limbs)):
+        meets = reciprocal_meets(branch, _twists(branch, limbs), first, height)
+        if any(residue(value, point, prime) for value in meets):
+            return meets
     polynomials: list[Polynomial] = []
     for chosen, one in islice(product(product(*charts), units[:TOGETHER]), MOST):
         if cost(chosen, one) > COSTLIEST:
@@ -267,12 +257,11 @@ def _telling(
 
 
 def _twists(branch: Branch, limbs: Sequence[Parts]) -> list[list[Vector]]:
-    """Of each limb on a branch; nothing where loops lie inside limbs."""
-    found = [
+    """Of each limb on a branch, loops inside left out."""
+    return [
         [tuple(branch.column(p)) for p in limb if not isinstance(p, SideBySide)]
         for limb in limbs
     ]
-    return [] if any(map(has_loops, limbs)) else found
 
 
 def _overlap(limbs: Sequence[Sequence[Sequence[int]]], height: int, prime: int) -> bool:

@@ -1,4 +1,4 @@
-"""Reciprocal products vanish together exactly where limbs are dependent.
+"""Reciprocal meets vanish together exactly where limbs are dependent.
 
 Whether they are is judged by the rank of the loop equations at residues, which knows
 nothing of wrenches, and by geometry.
@@ -14,8 +14,7 @@ from screwkit.algebra.points import residue
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.loop_drop import loop_state
 from screwkit.loci.rank_drop import extensors, generic_rank
-from screwkit.loci.reciprocal_minors import reciprocal_meets, reciprocal_minors
-from screwkit.loci.wrench_vectors import spanning_wrenches
+from screwkit.loci.reciprocal_meets import reciprocal_meets
 from screwkit.mechanism.files import read_mechanism
 
 
@@ -70,27 +69,3 @@ def test_stretched_arms_share_a_force_along_the_line_of_their_shoulders(
     assert generic is not None
     assert state is not None
     assert vanish == dependent == (state.loop < generic.loop)
-
-
-def test_couples_that_overlap_are_compared_with_one_limb_alone() -> None:
-    """Each limb of the 4-RUU carries a horizontal couple, normal to h and vertical.
-
-    Of four, two are independent: that falls where the others are along one of them.
-    """
-    case = assembly("4ruu")
-    ring = case.common_twists.ring
-    root, library = case.root(ring), case.library(ring)
-    limbs = [case.told(limb.joints) for limb in case.limbs]
-    twists = [[tuple(c) for c in limb] for limb in limbs]
-    spans = [
-        spanning_wrenches(root, extensors(root, limb, 5, library)[0], 6, 5)
-        for limb in limbs
-    ]
-    at = root.points[0]
-    found = reciprocal_minors(root, twists, spans, [1] * 4, at, 4_000)
-    assert any(residue(m, *at) for m in found)
-    parallel = where(case, root, "sin eta1", "sin eta2", "sin eta3", "sin eta4")
-    assert not any(residue(m, *p) for m in found for p in parallel.points)
-    # Where three are parallel and one is not, some product is left.
-    three = where(case, root, "sin eta1", "sin eta2", "sin eta3")
-    assert any(residue(m, *p) for m in found for p in three.points)
