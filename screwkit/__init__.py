@@ -13,12 +13,12 @@ if TYPE_CHECKING:
     from screwkit.metric_questions import reach as reach
     from screwkit.metric_questions import sweep as sweep
     from screwkit.metric_questions import view as view
+    from screwkit.motion_questions import assemble as assemble
+    from screwkit.motion_questions import follow as follow
+    from screwkit.motion_questions import move as move
     from screwkit.questions import analyze as analyze
-    from screwkit.questions import assemble as assemble
     from screwkit.questions import distance as distance
-    from screwkit.questions import follow as follow
     from screwkit.questions import mobility as mobility
-    from screwkit.questions import move as move
     from screwkit.questions import relative_motion as relative_motion
     from screwkit.questions import schemes as schemes
     from screwkit.questions import screws as screws
@@ -31,11 +31,11 @@ _HOMES = {
     "bundled_cases": "screwkit.case",
     "load": "screwkit.case",
     "analyze": "screwkit.questions",
-    "assemble": "screwkit.questions",
+    "assemble": "screwkit.motion_questions",
     "distance": "screwkit.questions",
-    "follow": "screwkit.questions",
+    "follow": "screwkit.motion_questions",
     "manipulability": "screwkit.metric_questions",
-    "move": "screwkit.questions",
+    "move": "screwkit.motion_questions",
     "mobility": "screwkit.questions",
     "reach": "screwkit.metric_questions",
     "relative_motion": "screwkit.questions",

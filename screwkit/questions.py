@@ -5,7 +5,7 @@ Thin on purpose: each passes the case's assembly to the analysis that answers.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -19,7 +19,6 @@ from screwkit.reports import showing  # noqa: F401 -- answers show themselves
 from screwkit.results.analysis import Analysis
 from screwkit.results.distance import Distance
 from screwkit.results.mobility import Mobility, MotionCase
-from screwkit.results.motion import MotionPath
 from screwkit.results.schemes import Ranking, Schemes
 from screwkit.results.screws import RelativeMotion, Screws
 from screwkit.results.singularities import Singularities
@@ -112,31 +111,6 @@ def relative_motion(
     link = body or case.mechanism.platform
     _need_exact_posture(case)
     return analysis.relative_motion(case.network, link, relative_to, order)
-
-
-def assemble(
-    case: Case, guess: Mapping[str, float], fixed: Sequence[str] = ()
-) -> MotionPath:
-    """A closed posture near a guess; see `screwkit.finite.paths.assemble`."""
-    from screwkit.finite import paths  # noqa: PLC0415
-
-    return paths.assemble(case.network, guess, fixed)
-
-
-def move(case: Case, to: Mapping[str, float]) -> MotionPath:
-    """Move freedoms to given values; see `screwkit.finite.paths.move`."""
-    from screwkit.finite import paths  # noqa: PLC0415
-
-    return paths.move(case.network, to)
-
-
-def follow(
-    case: Case, heading: Mapping[str, float], steps: int = 40, stride: float = 0.1
-) -> MotionPath:
-    """Follow a motion along its branch; see `screwkit.finite.paths.follow`."""
-    from screwkit.finite import paths  # noqa: PLC0415
-
-    return paths.follow(case.network, heading, steps, stride)
 
 
 def singularities(
