@@ -96,7 +96,9 @@ def _spatial(
             return [turn(axis) for axis in place.axes]
         case JointType.SPHERICAL | JointType.HARD_FINGER:
             return _all_turns(place)
-        case JointType.PLANAR | JointType.PLANE:
+        case JointType.PLANAR:  # may be actuated: translations are measured
+            return [turn(place.normal), *map(slide, place.sides(place.normal))]
+        case JointType.PLANE:
             return [turn(place.normal), *map(slide, place.tangents())]
         case JointType.POINT:
             return [*_all_turns(place), *map(slide, place.tangents())]

@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 
 from screwkit.algebra.evaluation import cosine_sine, evaluate
 from screwkit.algebra.expression import Call, Expression, Power, Sum
+from screwkit.algebra.expression_building import multiply
 from screwkit.algebra.ring import Ring, S
 from screwkit.kinematics.freedoms import JointTwist, freedom_twists
 from screwkit.mechanism.graph import spanning_tree
@@ -132,12 +133,16 @@ def _slides(joint: Joint, freedom: int) -> bool:
 def _possible_squares(joint: Joint, freedom: int) -> tuple[Expression, ...]:
     """Squares of lengths, as the file writes them, one of which is the axis's.
 
-    A planar joint slides along products of its normal with unit vectors, whose squares
-    are those of two of the normal's coordinates; empty where the axis is a unit vector.
+    A planar joint slides along a product of its normal with a unit vector, whose square
+    is that of two of the normal's coordinates, and along a product of the normal with
+    that; empty where the axis is a unit vector.
     """
     if joint.type is JointType.PLANAR and joint.normal is not None and freedom:
         x, y, z = (Power(part, 2) for part in joint.normal)
-        return Sum((x, y)), Sum((y, z)), Sum((z, x))
+        first = Sum((x, y)), Sum((y, z)), Sum((z, x))
+        if freedom == 1:
+            return first
+        return tuple(multiply(Sum((x, y, z)), square) for square in first)
     if joint.type is JointType.UNIVERSAL:
         written: tuple[Expression, ...] | None = joint.axes[freedom]
     elif joint.type is JointType.PLANAR:

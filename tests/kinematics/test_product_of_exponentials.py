@@ -230,6 +230,8 @@ def test_lengths_of_axes_move_nothing(system: Mechanism, seed: int) -> None:
 def sense(before: Joint, after: Joint, freedom: int) -> float:
     """Whether an axis points the same way in both."""
     if before.type is JointType.PLANAR:
+        if freedom == 2:  # n x (e x n), the same for -n
+            return 1.0
         return float(floats(before.normal) @ floats(after.normal))
     if not before.axes:
         return 1.0

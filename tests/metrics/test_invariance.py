@@ -224,3 +224,25 @@ def test_weights_of_contact_forces_leave_loops_out(tmp_path: Path, order: str) -
     index = fingers(tmp_path, order, "a, e", weights).internal_force
     assert index.finite == pytest.approx([(2 + 3 + 5) / (64 / 9 + 16)], rel=1e-12)
     assert index.polynomial == "x - 45/104"
+
+
+@pytest.mark.parametrize(
+    "normal", ["[0, 0, 1]", "[2, -1, 2]", "[1, 1, 0]", "[3, 1, -2]"]
+)
+def test_planar_joints_slide_in_orthogonal_directions(
+    tmp_path: Path, normal: str
+) -> None:
+    """About its point the joint turns the object once and slides it both ways alike."""
+    path = tmp_path / "table.yaml"
+    path.write_text(
+        "screwkit: 1\nname: table\ngeometry: posture\nbase: ground\nplatform: plate\n"
+        "links: [ground, carriage, plate]\nreference_point: [1, 2, 3]\njoints:\n"
+        "  - {name: E, type: planar, parent: ground, child: carriage, point: [1, 2, 3],"
+        f" normal: {normal}}}\n"
+        "  - {name: g, type: complete, parent: carriage, child: plate, "
+        "point: [0, 0, 0]}\n"
+        "actuated: [E:0, E:1, E:2]\n",
+        encoding="utf-8",
+    )
+    index = sk.manipulability(sk.load(path)).kinematic
+    assert index.finite == pytest.approx([1, 1, 1], rel=1e-12)
