@@ -128,9 +128,10 @@ def centre(rows: Rows, labels: Sequence[str]) -> Array:
     feet = cross(along, moments).sum(axis=1)
     one, two, three = np.moveaxis(across.sum(axis=1), 1, 0)
     # By Cramer's rule: the matrices are symmetric and far from singular.
-    rows = np.stack([cross(two, three), cross(three, one), cross(one, two)], axis=1)
-    size = _dot(one, rows[:, 0])
-    return np.asarray((rows @ feet[..., None])[..., 0] / size[:, None])
+    crossed = [cross(two, three), cross(three, one), cross(one, two)]
+    inverse = np.stack(crossed, axis=1)
+    size = _dot(one, inverse[:, 0])
+    return np.asarray((inverse @ feet[..., None])[..., 0] / size[:, None])
 
 
 def rigid_bodies(mechanism: Mechanism, rows: Rows) -> RigidBodies | None:
