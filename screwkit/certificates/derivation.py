@@ -152,7 +152,11 @@ class _Search(Conditions):
         if at is None or self.falls(at):
             # A minor that vanishes on some of the postures here may tell them apart.
             wider = replace(branch, pending=())
-            at = wider.points[0] if 0 < len(branch.pending) < MIXED else None
+            at = (
+                next(iter(wider.points), None)
+                if 0 < len(branch.pending) < MIXED
+                else None
+            )
             if at is None or self.falls(at):
                 raise NotProvedError(
                     "the search ended at postures that it could place on no component"
