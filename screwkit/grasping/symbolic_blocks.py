@@ -36,7 +36,7 @@ LARGEST: Final = 12
 TERMS: Final = 400
 """Terms of all rows together up to which minors are expanded."""
 
-PRODUCTS: Final = 20_000
+PRODUCTS: Final = 10_000
 """Products of terms that one more row may take; short vectors are found far below."""
 
 
