@@ -13,13 +13,13 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
-from math import comb
 from typing import Any
 
 from screwkit.algebra.names import counted
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.trigonometric import primitive
-from screwkit.errors import TooLargeError, UnknownNameError
+from screwkit.analyses.scheme_lists import number_of_schemes, told_schemes
+from screwkit.errors import UnknownNameError
 from screwkit.kinematics.tied_graph import TiedGraph
 from screwkit.kinematics.whole_graph import GraphState, LockedRanks, WholeGraph
 from screwkit.loci.graph_loci import actuation_locus
@@ -28,9 +28,8 @@ from screwkit.loci.pieces import Piece
 from screwkit.loci.tied_loci import tied_actuation_locus
 from screwkit.loci.wording import equations_of
 from screwkit.progress import Progress, silent
-from screwkit.results.schemes import Balanced, LocusFactor, Refusal, Scheme, Schemes
+from screwkit.results.schemes import LocusFactor, Scheme, Schemes
 
-LARGEST = 20_000  # schemes; beyond, candidates have to be named
 PER_LOCUS = 20_000
 """Terms that the locus of one scheme counts as."""
 
@@ -130,12 +129,7 @@ def graph_schemes(
             f"{graph.mechanism.name} has {among}; give a smaller size (--size) or more "
             f"of them (--candidates)"
         )
-    total = comb(len(chosen), number)
-    if total > LARGEST:
-        raise TooLargeError(
-            f"{total} schemes of {number} among {len(chosen)} joints are more than "
-            f"{LARGEST}; name fewer with --candidates"
-        )
+    total = number_of_schemes(number, len(chosen))
     progress("schemes", f"{total} schemes of {number} joints")
     ranks = [LockedRanks(found) for found in graph.generic_motions]
     listed = [
@@ -143,7 +137,8 @@ def graph_schemes(
         for actuated in combinations(chosen, number)
         if not balanced or _is_balanced(graph, actuated)
     ]
-    known = _answer(graph, number, listed)
+    limbs = len(graph.framed.limbs)
+    known = told_schemes(graph.mechanism, number, limbs, listed)
     finished("admissible", replace(known, complete=False, reason="no locus yet"))
     loci = _Loci(graph, work)
     done = []
@@ -152,7 +147,7 @@ def graph_schemes(
             progress("schemes", f"{count} of {len(listed)} schemes")
         done.append(loci.of(scheme))
     return replace(
-        _answer(graph, number, done),
+        told_schemes(graph.mechanism, number, limbs, done),
         factors=loci.factors(),
         complete=not any(scheme.undecided for scheme in done),
         reason=_open(done, loci),
@@ -202,37 +197,6 @@ def _is_balanced(graph: WholeGraph, actuated: Sequence[str]) -> bool:
     limbs = graph.framed.limbs
     counts = {sum(label in actuated for label in limb) for limb in limbs}
     return len(counts) == 1 and sum(map(len, limbs)) >= len(actuated)
-
-
-def _answer(graph: WholeGraph, size: int, listed: Sequence[Scheme]) -> Schemes:
-    """The schemes and their numbers."""
-    limbs = graph.framed.limbs
-    even = [scheme for scheme in listed if scheme.balanced]
-    divides = bool(limbs) and size % len(limbs) == 0
-    return Schemes(
-        case=graph.mechanism.name,
-        title=graph.mechanism.title,
-        size=size,
-        total=len(listed),
-        admissible=sum(scheme.admissible for scheme in listed),
-        balanced=Balanced(len(even), sum(s.admissible for s in even))
-        if divides
-        else None,
-        schemes=tuple(listed),
-        refusals=_refusals(listed),
-    )
-
-
-def _refusals(listed: Sequence[Scheme]) -> tuple[Refusal, ...]:
-    groups: dict[str, list[Scheme]] = {}
-    for scheme in listed:
-        if scheme.reason is not None:
-            groups.setdefault(scheme.reason, []).append(scheme)
-    refusals = [
-        Refusal(reason, len(group), group[0].actuated)
-        for reason, group in groups.items()
-    ]
-    return tuple(sorted(refusals, key=lambda refusal: -refusal.schemes))
 
 
 def _open(listed: Sequence[Scheme], loci: _Loci) -> str:

@@ -11,9 +11,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from screwkit.algebra.names import counted
-from screwkit.analyses.assumed import assumptions_in_words, unsplit
 from screwkit.analyses.limb_component import limb_component
+from screwkit.analyses.whole_singularities import (
+    graph_component,
+    never_still,
+    put_together,
+)
 from screwkit.kinematics.whole_graph import GraphState, WholeGraph
 from screwkit.loci.graph_loci import (
     GraphLocus,
@@ -24,7 +27,6 @@ from screwkit.loci.graph_loci import (
 )
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece
-from screwkit.loci.wording import all_solutions, equations_of, solved_equations
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
     ActuationSingularities,
@@ -69,21 +71,11 @@ def graph_singularities(
         free = len(graph.network.labels) - len(scheme)
         progress("actuation", f"{free} passive freedoms")
         actuation = _actuation(graph, scheme)
-    components = [c for limb in limbs for c in limb.components]
-    components += constraint.components
-    components += actuation.components if actuation is not None else ()
-    listed = [equation for c in components for equation in c.equations]
-    return Singularities(
-        case=mechanism.name,
-        title=mechanism.title,
-        limb=tuple(limbs),
-        constraint=constraint,
-        actuation=actuation,
-        assumptions=(
-            *assumptions_in_words(mechanism, graph.root.assumptions),
-            *unsplit(graph.libraries, listed),
-        ),
-        platform_name=mechanism.platform,
+    return put_together(
+        mechanism,
+        (limbs, constraint, actuation),
+        graph.root.assumptions,
+        graph.libraries,
     )
 
 
@@ -154,15 +146,7 @@ def _actuation(graph: WholeGraph, actuated: Sequence[str]) -> ActuationSingulari
     size = _size(graph)
     generic = graph.generic_state(actuated)
     if generic.platform_freedom:
-        left = counted(generic.platform_freedom, "freedom")
-        return ActuationSingularities(
-            tuple(actuated),
-            False,
-            size - generic.platform_freedom,
-            True,
-            (),
-            witness=f"it keeps {left}",
-        )
+        return never_still(actuated, size, generic.platform_freedom)
     locus = actuation_locus(graph, actuated)
     meanings = _meanings(graph) if locus.pieces or locus.others else None
 
@@ -188,17 +172,8 @@ def _component(
     state: GraphState,
     rank: int,
 ) -> Component:
-    return Component(
-        equations=equations_of(piece),
-        codimension=piece.codimension,
-        solutions=all_solutions(piece),
-        solved=solved_equations(piece),
-        rank=rank,
-        geometry=meanings.each_of(piece) if meanings else None,
-        wrench_dimension=_size(graph) - state.platform_freedom,
-        platform_freedom=state.platform_freedom,
-        mobility=state.mobility,
-    )
+    geometry = meanings.each_of(piece) if meanings else None
+    return graph_component(piece, state, _size(graph), rank, geometry)
 
 
 def _proof(locus: GraphLocus, subject: str) -> str:

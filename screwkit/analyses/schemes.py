@@ -8,14 +8,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import combinations
-from math import comb
 from typing import Any, TypeAlias
 
 from screwkit.algebra.names import counted
 from screwkit.analyses.mirror_classes import mirror_classes, with_mirror
 from screwkit.analyses.redundancy import redundancy
+from screwkit.analyses.scheme_lists import number_of_schemes, told_schemes
 from screwkit.analyses.scheme_loci import LociOfSchemes
-from screwkit.errors import TooLargeError, UnknownNameError
+from screwkit.errors import UnknownNameError
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.loop_state import LoopState
 from screwkit.kinematics.mirror import mirrored_joints
@@ -23,10 +23,8 @@ from screwkit.loci.actuation import passive_joints
 from screwkit.loci.passive import PassiveSystem
 from screwkit.progress import Progress, silent
 from screwkit.results.schemes import (
-    Balanced,
     Ranking,
     Redundancy,
-    Refusal,
     Scheme,
     Schemes,
 )
@@ -35,7 +33,6 @@ from screwkit.results.undecided import Undecided
 Ranked: TypeAlias = Callable[[Sequence[tuple[str, ...]]], Ranking | Undecided]
 
 _REPORT = 50  # schemes between two words of progress
-LARGEST = 20_000  # schemes; beyond, candidates have to be named
 WORK = 1_000_000
 """Terms of determinants that are expanded for all loci together, shortest first."""
 
@@ -78,12 +75,7 @@ def schemes(
     chosen = _candidates(assembly, candidates)
     if number > len(chosen) and (size is not None or candidates is not None):
         raise UnknownNameError(_too_few(assembly, chosen, number, size))
-    total = comb(len(chosen), number)
-    if total > LARGEST:
-        raise TooLargeError(
-            f"{total} schemes of {number} among {len(chosen)} joints are more than "
-            f"{LARGEST}; name fewer with --candidates"
-        )
+    total = number_of_schemes(number, len(chosen))
     shared = LociOfSchemes(assembly, system, work)
     progress("schemes", f"{total} schemes of {number} joints")
     wanted_schemes = [
@@ -149,21 +141,8 @@ def _answer(
     pairs: Sequence[tuple[str, str]],
 ) -> Schemes:
     """The schemes and their numbers, before anything is said of loci."""
-    even = [scheme for scheme in listed if scheme.balanced]
-    divides = size % len(assembly.limbs) == 0 if assembly.limbs else False
-    return Schemes(
-        case=assembly.mechanism.name,
-        title=assembly.mechanism.title,
-        size=size,
-        total=len(listed),
-        admissible=sum(scheme.admissible for scheme in listed),
-        balanced=Balanced(len(even), sum(s.admissible for s in even))
-        if divides
-        else None,
-        schemes=tuple(listed),
-        refusals=_refusals(listed),
-        mirror=mirror_classes(listed, pairs),
-    )
+    told = told_schemes(assembly.mechanism, size, len(assembly.limbs), listed)
+    return replace(told, mirror=mirror_classes(listed, pairs))
 
 
 def _by_rank(assembly: Assembly, actuated: tuple[str, ...], state: LoopState) -> Scheme:
@@ -257,15 +236,3 @@ def _open(listed: Sequence[Scheme], work: LociOfSchemes) -> str:
 def _is_balanced(assembly: Assembly, actuated: Sequence[str]) -> bool:
     counts = {sum(j in actuated for j in limb.joints) for limb in assembly.limbs}
     return len(counts) == 1
-
-
-def _refusals(listed: Sequence[Scheme]) -> tuple[Refusal, ...]:
-    groups: dict[str, list[Scheme]] = {}
-    for scheme in listed:
-        if scheme.reason is not None:
-            groups.setdefault(scheme.reason, []).append(scheme)
-    refusals = [
-        Refusal(reason, len(group), group[0].actuated)
-        for reason, group in groups.items()
-    ]
-    return tuple(sorted(refusals, key=lambda refusal: -refusal.schemes))

@@ -14,10 +14,10 @@ from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.analyses.actuation_parts import actuation_parts
-from screwkit.analyses.assumed import assumptions_in_words, unsplit
 from screwkit.analyses.hybrid_limbs import hybrid_limb, strata_of
 from screwkit.analyses.limb_component import limb_component
 from screwkit.analyses.superbracket import superbracket
+from screwkit.analyses.whole_singularities import put_together
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.limb_parts import Parts
 from screwkit.kinematics.loop_columns import loop_columns
@@ -88,21 +88,11 @@ def singularities(
     if scheme:
         progress("actuation", f"{len(assembly.joints) - len(scheme)} passive joints")
         actuation = actuation_singularities(assembly, scheme)
-    components = [c for limb in limbs for c in limb.components]
-    components += constraint.components
-    components += actuation.components if actuation is not None else ()
-    listed = [equation for c in components for equation in c.equations]
-    return Singularities(
-        case=assembly.mechanism.name,
-        title=assembly.mechanism.title,
-        limb=tuple(limbs),
-        constraint=constraint,
-        actuation=actuation,
-        assumptions=(
-            *assumptions_in_words(assembly.mechanism, assembly.assumptions),
-            *unsplit(assembly.libraries, listed),
-        ),
-        platform_name=assembly.mechanism.platform,
+    return put_together(
+        assembly.mechanism,
+        (limbs, constraint, actuation),
+        assembly.assumptions,
+        assembly.libraries,
     )
 
 

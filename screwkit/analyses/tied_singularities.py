@@ -11,12 +11,15 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from screwkit.algebra.names import counted
 from screwkit.algebra.points_on import Unknown
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.solve import solutions
-from screwkit.analyses.assumed import assumptions_in_words, unsplit
 from screwkit.analyses.tied_branch import rank_in_the_file
+from screwkit.analyses.whole_singularities import (
+    graph_component,
+    never_still,
+    put_together,
+)
 from screwkit.kinematics.tied_graph import TiedGraph
 from screwkit.kinematics.whole_graph import GraphState
 from screwkit.loci.tied_loci import TiedLocus, TiedPiece, columns_locus, loop_locus
@@ -80,21 +83,11 @@ def tied_singularities(
         free = len(graph.network.labels) - len(scheme)
         progress("actuation", f"{free} passive freedoms")
         actuation = _actuation(graph, scheme, kept)
-    components = [c for limb in limbs for c in limb.components]
-    components += constraint.components
-    components += actuation.components if actuation is not None else ()
-    listed = [equation for c in components for equation in c.equations]
-    return Singularities(
-        case=mechanism.name,
-        title=mechanism.title,
-        limb=tuple(limbs),
-        constraint=constraint,
-        actuation=actuation,
-        assumptions=(
-            *assumptions_in_words(mechanism, graph.root.assumptions),
-            *unsplit({graph.framed.ring: graph.library}, listed),
-        ),
-        platform_name=mechanism.platform,
+    return put_together(
+        mechanism,
+        (limbs, constraint, actuation),
+        graph.root.assumptions,
+        {graph.framed.ring: graph.library},
     )
 
 
@@ -145,15 +138,7 @@ def _actuation(
     size = _size(graph)
     generic = graph.generic_state(actuated)
     if generic.platform_freedom:
-        left = counted(generic.platform_freedom, "freedom")
-        return ActuationSingularities(
-            tuple(actuated),
-            False,
-            size - generic.platform_freedom,
-            True,
-            (),
-            witness=f"it keeps {left}",
-        )
+        return never_still(actuated, size, generic.platform_freedom)
     locus = loop_locus(graph, actuated, kept)
     found = []
     for one in locus.pieces:
@@ -184,17 +169,8 @@ def _actuation(
 def _component(
     graph: TiedGraph, one: TiedPiece, state: GraphState, rank: int
 ) -> Component:
-    return Component(
-        equations=equations_of(one.piece),
-        codimension=one.piece.codimension,
-        solutions=all_solutions(one.piece),
-        solved=solved_equations(one.piece),
-        rank=rank,
-        geometry=_where_closed(graph, one),
-        wrench_dimension=_size(graph) - state.platform_freedom,
-        platform_freedom=state.platform_freedom,
-        mobility=state.mobility,
-    )
+    geometry = _where_closed(graph, one)
+    return graph_component(one.piece, state, _size(graph), rank, geometry)
 
 
 def _where_closed(graph: TiedGraph, one: TiedPiece) -> str | None:

@@ -199,20 +199,6 @@ def descended(problem: Problem, points: Array) -> Array:
     return found
 
 
-def nearest_from(problem: Problem, starts: Array) -> Array:
-    """Points of least distance among those that ``starts`` lead to.
-
-    Args:
-        problem: Residual and equations.
-        starts: Any points, shape (batch, n).
-
-    Returns:
-        Shape (batch, n); nan where the equations cannot be met or the descent does not
-        settle.
-    """
-    return descended(problem, restored(problem.equations, starts))
-
-
 def _lower(problem: Problem, points: Array, steps: Array) -> Array:
     """Nearer points in the direction of steps, with the equations mended; else nan."""
     before = problem.distances(points)

@@ -46,19 +46,6 @@ class Matrices(Protocol):
         ...
 
 
-@dataclass(frozen=True, eq=False)
-class DifferencedMatrices:
-    """Matrices whose derivative is not known."""
-
-    values: Batched
-
-    def rates(self, points: Array, left: Array, right: Array) -> Array:
-        """By central differences; see `Matrices`."""
-        change = np.moveaxis(slopes(self.values, points), -1, 1)
-        turned = np.swapaxes(left, 1, 2)[:, None]
-        return np.moveaxis(turned @ change @ right[:, None], 1, -1)
-
-
 class Screws(Protocol):
     """The screws of all freedoms at points, and how fast they change."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import sqrt
 
 import numpy as np
@@ -10,9 +11,9 @@ import pytest
 import screwkit as sk
 from screwkit.algebra.batch import Array
 from screwkit.metrics.motion_chart import motion_chart
-from screwkit.metrics.nearest_point import Problem, nearest_from, restored
-from screwkit.metrics.rank_conditions import DifferencedMatrices, FallenRank, rank_at
-from screwkit.metrics.smooth import Batched, Conditions, by_differences
+from screwkit.metrics.nearest_point import Problem, descended, restored
+from screwkit.metrics.rank_conditions import FallenRank, rank_at
+from screwkit.metrics.smooth import Batched, Conditions, by_differences, slopes
 from screwkit.metrics.symbol_motion import symbol_motion
 from screwkit.metrics.ways_on_motion import Space, followed
 
@@ -24,10 +25,23 @@ def columns(*parts: Array) -> Array:
     return np.stack(parts, axis=-1)
 
 
+@dataclass(frozen=True, eq=False)
+class DifferencedMatrices:
+    """Matrices whose derivative is not known."""
+
+    values: Batched
+
+    def rates(self, points: Array, left: Array, right: Array) -> Array:
+        """By central differences."""
+        change = np.moveaxis(slopes(self.values, points), -1, 1)
+        turned = np.swapaxes(left, 1, 2)[:, None]
+        return np.moveaxis(turned @ change @ right[:, None], 1, -1)
+
+
 def found_from(residual: Batched, equations: Conditions, *starts: list[float]) -> Array:
     """Where descents from starts end, one row each."""
     problem = Problem(by_differences(residual), equations)
-    return nearest_from(problem, np.array(starts))
+    return descended(problem, restored(problem.equations, np.array(starts)))
 
 
 def test_the_foot_on_a_line_that_is_given_three_times() -> None:

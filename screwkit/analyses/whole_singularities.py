@@ -1,0 +1,98 @@
+"""An answer of ``singularities`` put together from its parts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.factor_library import FactorLibrary
+from screwkit.algebra.names import counted
+from screwkit.algebra.trigonometric import TrigonometricRing
+from screwkit.analyses.assumed import assumptions_in_words, unsplit
+from screwkit.kinematics.whole_graph import GraphState
+from screwkit.loci.pieces import Piece
+from screwkit.loci.wording import all_solutions, equations_of, solved_equations
+from screwkit.mechanism.model import Mechanism
+from screwkit.results.singularities import (
+    ActuationSingularities,
+    Component,
+    ConstraintSingularities,
+    LimbSingularities,
+    Singularities,
+)
+
+
+def put_together(
+    mechanism: Mechanism,
+    parts: tuple[
+        Sequence[LimbSingularities],
+        ConstraintSingularities,
+        ActuationSingularities | None,
+    ],
+    assumptions: Assumptions,
+    libraries: Mapping[TrigonometricRing, FactorLibrary],
+) -> Singularities:
+    """The whole answer, with what it took for granted.
+
+    Args:
+        mechanism: That was asked about.
+        parts: Limbs, constraint, and actuation if some joints are actuated.
+        assumptions: Signs that the file declares.
+        libraries: The factors met, by ring.
+    """
+    limbs, constraint, actuation = parts
+    components = [c for limb in limbs for c in limb.components]
+    components += constraint.components
+    components += actuation.components if actuation is not None else ()
+    listed = [equation for c in components for equation in c.equations]
+    return Singularities(
+        case=mechanism.name,
+        title=mechanism.title,
+        limb=tuple(limbs),
+        constraint=constraint,
+        actuation=actuation,
+        assumptions=(
+            *assumptions_in_words(mechanism, assumptions),
+            *unsplit(libraries, listed),
+        ),
+        platform_name=mechanism.platform,
+    )
+
+
+def graph_component(
+    piece: Piece, state: GraphState, size: int, rank: int, geometry: str | None
+) -> Component:
+    """A component of a locus of the loop equations.
+
+    Args:
+        piece: Where it is.
+        state: What moves there.
+        size: Coordinates of a twist.
+        rank: That is lower there.
+        geometry: What it means.
+    """
+    return Component(
+        equations=equations_of(piece),
+        codimension=piece.codimension,
+        solutions=all_solutions(piece),
+        solved=solved_equations(piece),
+        rank=rank,
+        geometry=geometry,
+        wrench_dimension=size - state.platform_freedom,
+        platform_freedom=state.platform_freedom,
+        mobility=state.mobility,
+    )
+
+
+def never_still(
+    actuated: Sequence[str], size: int, freedom: int
+) -> ActuationSingularities:
+    """A scheme that leaves the platform some freedoms everywhere."""
+    return ActuationSingularities(
+        tuple(actuated),
+        False,
+        size - freedom,
+        True,
+        (),
+        witness=f"it keeps {counted(freedom, 'freedom')}",
+    )
