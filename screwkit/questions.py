@@ -156,12 +156,6 @@ def singularities(
         tied = tied_graph(case.network)
         return tied_singularities(tied, progress=progress, finished=finished)
     _need_exact_posture(case)
-    if certificate and (case.graph is not None or case.assembly.has_blocks):
-        raise UndecidedError(
-            "limbs have loops inside, or loops lie outside limbs, of which no "
-            "certificate can be written yet; without --certificate this question is "
-            "answered"
-        )
     if strata and case.graph is not None:
         raise UndecidedError(
             "where components meet is told for mechanisms of limbs that are chains, or "

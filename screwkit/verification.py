@@ -33,12 +33,23 @@ def certificate_of(
     Raises:
         CertificateError: If the case was not read from a file.
     """
-    from screwkit.certificates.certification import certified  # noqa: PLC0415
+    from screwkit.certificates.certification import (  # noqa: PLC0415
+        certified,
+        certified_graph,
+    )
     from screwkit.certificates.written import to_text  # noqa: PLC0415
+    from screwkit.kinematics.whole_graph import WholeGraph  # noqa: PLC0415
     from screwkit.reports.records import version  # noqa: PLC0415
 
     source = _source(case)
-    return to_text(certified(case.assembly, answer, source, version(), progress))
+    graph = case.graph
+    if graph is None and case.assembly.has_blocks:
+        graph = WholeGraph(case.mechanism)
+    if graph is not None:
+        found = certified_graph(graph, answer, source, version(), progress)
+    else:
+        found = certified(case.assembly, answer, source, version(), progress)
+    return to_text(found)
 
 
 def _source(case: Case) -> Source:
@@ -76,16 +87,15 @@ def verify(
     from screwkit.case import load, load_text  # noqa: PLC0415
     from screwkit.certificates.checking import check  # noqa: PLC0415
     from screwkit.certificates.texts import RefusedError  # noqa: PLC0415
+    from screwkit.kinematics.assembly import assumptions_of  # noqa: PLC0415
 
     progress("reading the certificate", "")
     document = _read(Path(certificate))
     changes = _changes(document.mechanism)
     try:
         own = load_text(document.mechanism.text, document.mechanism.json, **changes)
-        carried, assumed = (
-            own.mechanism,
-            assumptions_in_words(own.assembly.mechanism, own.assembly.assumptions),
-        )
+        carried = own.mechanism
+        assumed = assumptions_in_words(carried, assumptions_of(carried))
     except (MechanismFileError, ScrewkitError) as error:
         reason = f"the mechanism in it cannot be read: {error}"
         return Verification(document.case, "", False, (), reason)

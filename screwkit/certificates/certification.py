@@ -7,10 +7,11 @@ derived anew.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.search import Search
@@ -18,6 +19,7 @@ from screwkit.algebra.trigonometric import Polynomial
 from screwkit.certificates.checking import checked
 from screwkit.certificates.conditions import Problem
 from screwkit.certificates.derivation import proof_of
+from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.minor_choice import Matrix
 from screwkit.certificates.records import (
     Certificate,
@@ -34,7 +36,9 @@ from screwkit.certificates.written import SCHEMA
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.kinematics.placement import joint_twists
+from screwkit.kinematics.whole_graph import WholeGraph
 from screwkit.loci.loop_drop import imposed
+from screwkit.mechanism.model import Mechanism
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import Component, Singularities
 
@@ -65,7 +69,7 @@ def certified(
             tuple(range(6)),
             single=True,
         )
-        derivation = _Derivation(assembly, framed, matrix, limb.chain)
+        derivation = _Derivation(_subject(assembly, framed, matrix, limb.chain))
         parts.append(
             derivation.part(
                 "limb", own.components, complete=own.complete, limb=limb.name
@@ -105,25 +109,107 @@ def _of_loops(assembly: Assembly, locked: Sequence[str]) -> _Derivation:
         single=False,
     )
     chain = [name for limb in assembly.limbs for name in limb.chain]
-    return _Derivation(assembly, assembly.common_twists, matrix, chain)
+    return _Derivation(_subject(assembly, assembly.common_twists, matrix, chain))
+
+
+def certified_graph(
+    graph: WholeGraph,
+    answer: Singularities,
+    mechanism: Source,
+    version: str,
+    progress: Progress = silent,
+) -> Certificate:
+    """The certificate of an answer by the loop equations of the whole joint graph.
+
+    Args:
+        graph: Of the mechanism; limbs may have loops inside, or be no limbs at all.
+        answer: Its limb, constraint and actuation singularities.
+        mechanism: As it was read, to be carried along.
+        version: Of the package.
+        progress: Told about each part.
+    """
+    parts = []
+    for limb, own in zip(graph.limbs, answer.limb, strict=True):
+        progress("certificate", f"limb {own.limb}")
+        matrix = LoopEquations.of(limb, asks_held=True)
+        derivation = _Derivation(_graph_subject(graph, limb, matrix))
+        parts.append(
+            derivation.part(
+                "limb", own.components, complete=own.complete, limb=own.limb
+            )
+        )
+    if graph.network.loops:
+        progress("certificate", "constraint")
+        derivation = _Derivation(_graph_subject(graph, graph, LoopEquations.of(graph)))
+        constraint = answer.constraint
+        parts.append(
+            derivation.part(
+                "constraint", constraint.components, complete=constraint.complete
+            )
+        )
+    actuation = answer.actuation
+    if actuation is not None and actuation.admissible:
+        progress("certificate", "actuation")
+        matrix = LoopEquations.of(graph, actuation.actuated)
+        derivation = _Derivation(_graph_subject(graph, graph, matrix))
+        parts.append(
+            derivation.part(
+                "actuation",
+                actuation.components,
+                actuation.idle,
+                complete=actuation.complete,
+                locked=actuation.actuated,
+            )
+        )
+    return Certificate(SCHEMA, answer.case, version, mechanism, tuple(parts))
+
+
+@dataclass(frozen=True)
+class _Subject:
+    """What a part is about.
+
+    Attributes:
+        mechanism: The whole.
+        root: The configuration space of the ring of ``framed``.
+        chain: The joints whose twists stand in ``framed``.
+        form: Of the matrix, as in `Part`.
+    """
+
+    mechanism: Mechanism
+    root: Branch
+    library: FactorLibrary
+    framed: FramedTwists
+    matrix: Matrix | LoopEquations
+    chain: tuple[str, ...]
+    form: str = ""
+
+
+def _subject(
+    assembly: Assembly, framed: FramedTwists, matrix: Matrix, chain: Sequence[str]
+) -> _Subject:
+    root, library = assembly.root(framed.ring), assembly.library(framed.ring)
+    return _Subject(assembly.mechanism, root, library, framed, matrix, tuple(chain))
+
+
+def _graph_subject(
+    graph: WholeGraph, own: WholeGraph, matrix: LoopEquations
+) -> _Subject:
+    chain = tuple(joint.name for joint in own.mechanism.joints)
+    return _Subject(
+        graph.mechanism, own.root, own.library, own.framed, matrix, chain, "loops"
+    )
 
 
 class _Derivation:
     """One part under way."""
 
-    def __init__(
-        self,
-        assembly: Assembly,
-        framed: FramedTwists,
-        matrix: Matrix,
-        chain: Sequence[str],
-    ) -> None:
-        self._assembly, self._framed, self._matrix = assembly, framed, matrix
-        self._chain = chain
-        self._ring = framed.ring
-        self._root = replace(assembly.root(framed.ring), thorough=True)
-        self._library = assembly.library(framed.ring)
-        declared = assembly.assumptions
+    def __init__(self, subject: _Subject) -> None:
+        self._subject = subject
+        self._framed, self._matrix = subject.framed, subject.matrix
+        self._ring = subject.framed.ring
+        self._root = replace(subject.root, thorough=True)
+        self._library = subject.library
+        declared = subject.root.assumptions
         self._signs = Signs(declared.positive, declared.positive | declared.nonzero)
 
     def part(
@@ -146,9 +232,9 @@ class _Derivation:
         if not complete:
             return replace(part, reason="the answer says that its list may have gaps")
         try:
-            problem = self._problem(loci, moving=question == "actuation")
+            problem = self._problem(loci, question)
             proved = replace(part, proof=proof_of(problem))
-            checked(self._assembly.mechanism, proved, "written")
+            checked(self._subject.mechanism, proved, "written")
         except (NotProvedError, RefusedError) as error:
             return replace(part, reason=str(error))
         return proved
@@ -170,6 +256,7 @@ class _Derivation:
             components=tuple(
                 self._locus(c, own) for c, own in zip(components, loci, strict=True)
             ),
+            form=self._subject.form,
             limb=limb,
             locked=tuple(locked),
             scales=self._scales() or None,
@@ -177,7 +264,7 @@ class _Derivation:
         )
 
     def _problem(
-        self, loci: Iterable[tuple[Polynomial, ...]], *, moving: bool
+        self, loci: Iterable[tuple[Polynomial, ...]], question: str
     ) -> Problem:
         squares = {
             joint: self._framed.axis_square(joint) for joint in self._framed.joints
@@ -186,11 +273,18 @@ class _Derivation:
             self._root,
             self._matrix,
             tuple(loci),
-            moving,
+            question == "actuation",
             self._library,
             self._signs,
             {j: square for j, square in squares.items() if not square.is_constant()},
+            self._least(question),
         )
+
+    def _least(self, question: str) -> int:
+        """What a limb by its loop equations allows in general; −1 elsewhere."""
+        if question != "limb" or not self._subject.form:
+            return -1
+        return max(self._matrix.freedom_at(*at) for at in self._root.points)
 
     def _polynomials(self, component: Component) -> tuple[Polynomial, ...]:
         return tuple(evaluate(read(e), self._ring) for e in component.equations)
@@ -240,7 +334,7 @@ class _Derivation:
         if not ring.divisors_of:
             return {}
         twists = joint_twists(
-            self._assembly.mechanism, ring, self._framed.origin, self._chain
+            self._subject.mechanism, ring, self._framed.origin, self._subject.chain
         )
         found = {}
         for label in self._framed.joints:

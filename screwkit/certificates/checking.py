@@ -21,6 +21,7 @@ from screwkit.algebra.expression import Expression
 from screwkit.algebra.expression_building import symbols_of
 from screwkit.algebra.modular import ResampleError
 from screwkit.certificates.claimed_loci import ClaimedLoci
+from screwkit.certificates.graph_matrix import GraphMatrix
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import (
     Case,
@@ -33,6 +34,7 @@ from screwkit.certificates.records import (
 )
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.signs import Signs
+from screwkit.certificates.smaller_minors import still, wide
 from screwkit.certificates.solutions import POINTS, Solutions
 from screwkit.certificates.texts import RefusedError, fraction, read
 from screwkit.mechanism.model import Mechanism
@@ -90,7 +92,12 @@ class _PartCheck:
     def __init__(self, mechanism: Mechanism, part: Part, source: random.Random) -> None:
         self._part = part
         self._postures = Postures(mechanism, part, source)
-        self._matrix = ScrewMatrix(self._postures)
+        self._matrix: ScrewMatrix | GraphMatrix
+        if part.form == "loops":
+            self._matrix = GraphMatrix(self._postures)
+        else:
+            self._matrix = ScrewMatrix(self._postures)
+        self._loci = ClaimedLoci(self._postures, self._matrix)
         own = mechanism.parameters
         self._signs = Signs(
             {p.name for p in own if p.positive},
@@ -108,7 +115,7 @@ class _PartCheck:
             raise RefusedError(f"{part.question!r} is no question")
         if part.question != "actuation" and (part.locked or part.idle):
             raise RefusedError("only actuation locks joints")
-        loci = ClaimedLoci(self._postures, self._matrix)
+        loci = self._loci
         loci.generic()
         for number, locus in enumerate((*part.components, *part.idle)):
             moves = number < len(part.components)
@@ -148,8 +155,8 @@ class _PartCheck:
             self._impossible(node, way)
         else:
             self._product(node, way)
-            if self._part.question == "actuation" and _is_minor(node):
-                self._still(node, way)
+            if self._smaller_ones and _is_minor(node):
+                self._smaller(node, way)
             for case in node.cases:
                 self._case(case, way)
 
@@ -241,11 +248,16 @@ class _PartCheck:
             product = product * point.value(read(step.over)) ** power
         return product
 
+    @property
+    def _smaller_ones(self) -> bool:
+        """Whether the locus is not simply where the rank of the matrix falls."""
+        return self._part.question == "actuation" or self._loci.freedom >= 0
+
     def _product(self, node: Node, way: Way) -> None:
         """A minor, or a condition, is a number times the product of the cases."""
         if _is_minor(node):
             size = self._part.rank
-            if self._part.question == "actuation":
+            if self._smaller_ones:
                 size = node.rank
             if len(node.rows) != size or len(node.columns) != size:
                 raise RefusedError(f"its minor is not of size {size}")
@@ -289,21 +301,16 @@ class _PartCheck:
             return values[0]
         return sum((value * value for value in values), point.zero)
 
-    def _still(self, node: Node, way: Way) -> None:
-        """Where the minor does not vanish the platform keeps still.
-
-        The rank there is the generic one of the node, hence the mobility; the limbs'
-        own motions are no fewer than in general, so that no motion is left for the
-        platform if in general there is none.
-        """
+    def _smaller(self, node: Node, way: Way) -> None:
+        """Why a minor that is smaller than the generic rank says enough."""
         if node.rank == self._part.rank:
             return
-        for _, point in islice(self._postures.meeting(way, node.roots), 2 * POINTS):
-            rank = self._matrix.rank(point)
-            if rank > node.rank:
-                raise RefusedError(f"the rank on it is {rank}")
-            if rank == node.rank and self._matrix.freedom(point):
-                raise RefusedError("the platform moves on it")
+        met = islice(self._postures.meeting(way, node.roots), 2 * POINTS)
+        points = [point for _, point in met]
+        if self._part.question == "actuation":
+            still(self._matrix, node.rank, points)
+        elif isinstance(self._matrix, GraphMatrix):
+            wide(self._matrix, node.rank - self._loci.freedom, points)
 
     def _special(self, node: Node, way: Way) -> None:
         """Moving on the node changes the dimensions in fewer ways than there are.

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from itertools import islice
 
 from screwkit.algebra.exact_point import PointRing
+from screwkit.certificates.graph_matrix import GraphMatrix
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import Locus
 from screwkit.certificates.screw_matrix import ScrewMatrix
@@ -21,9 +22,11 @@ class ClaimedLoci:
         matrix: Of the part.
     """
 
-    def __init__(self, postures: Postures, matrix: ScrewMatrix) -> None:
+    def __init__(self, postures: Postures, matrix: ScrewMatrix | GraphMatrix) -> None:
         self._postures, self._matrix = postures, matrix
         self._part = postures.part
+        self.freedom = -1
+        """Of a limb by its loop equations: what it allows the platform in general."""
 
     def generic(self) -> None:
         """Check the rank in general, and that a scheme stops the platform.
@@ -39,6 +42,8 @@ class ClaimedLoci:
             map(self._matrix.freedom, points)
         ):
             raise RefusedError("the platform moves at every posture")
+        if isinstance(self._matrix, GraphMatrix) and self._matrix.is_held:
+            self.freedom = rank - max(map(self._matrix.loop_rank, points))
 
     def component(self, locus: Locus, *, moves: bool) -> None:
         """Check that postures are on a component, and what the rank is there.
@@ -58,8 +63,10 @@ class ClaimedLoci:
                 if point.value(read(text)) != 0:
                     raise RefusedError("its postures do not satisfy its equations")
             ranks.append(self._matrix.rank(point))
-            if self._part.question != "limb":
+            if self._part.question != "limb" or self.freedom >= 0:
                 freedoms.append(self._matrix.freedom(point))
+        if 0 <= self.freedom <= max(freedoms, default=0):
+            raise RefusedError(f"the platform has {max(freedoms)} freedoms on it")
         if max(ranks) >= self._part.rank:
             raise RefusedError(f"the rank on it is {max(ranks)}, as in general")
         if max(ranks) != locus.rank:

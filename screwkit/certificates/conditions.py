@@ -20,6 +20,7 @@ from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.substitution import Substitution, reduced, substituted
 from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.minor_choice import Matrix
 from screwkit.certificates.records import Multiple, Unsolved
 from screwkit.certificates.roots import NotProvedError, roots_of
@@ -42,15 +43,23 @@ class Problem:
         moving: Whether a posture counts where the platform moves, not where the rank
             of the matrix falls.
         axes: By freedom: the square of its axis, where that is not constant.
+        least: Where a posture counts that allows a limb less than this many freedoms;
+            −1 elsewhere.
     """
 
     root: Branch
-    matrix: Matrix
+    matrix: Matrix | LoopEquations
     components: tuple[tuple[Polynomial, ...], ...]
     moving: bool
     library: FactorLibrary
     signs: Signs
     axes: dict[str, Polynomial]
+    least: int = -1
+
+    @property
+    def smaller(self) -> bool:
+        """Whether the locus is not simply where the rank of the matrix falls."""
+        return self.moving or self.least >= 0
 
 
 @dataclass(frozen=True)
@@ -166,6 +175,24 @@ class Conditions:
     def factors(self, branch: Branch, value: Polynomial) -> list[tuple[Factor, int]]:
         """The factors of a polynomial on a branch, with their powers."""
         return [*factor(branch.ring, value, self.problem.library).factors]
+
+    def product(
+        self, branch: Branch, parts: Sequence[tuple[Polynomial, int]], longest: int
+    ) -> list[tuple[Factor, int]] | None:
+        """The factors of a product; None where a part is too long.
+
+        Powers of factors that cancel are left out.
+        """
+        found: dict[str, tuple[Factor, int]] = {}
+        for part, power in parts:
+            if len(part) > longest:
+                return None
+            for own, times in self.factors(branch, part):
+                _, before = found.get(own.key, (own, 0))
+                found[own.key] = own, before + times * power
+        if any(power < 0 for _, power in found.values()):
+            return None
+        return [(own, power) for own, power in found.values() if power]
 
     def positive(self, branch: Branch, own: Factor) -> bool:
         """Whether a factor vanishes nowhere by the signs of its terms."""

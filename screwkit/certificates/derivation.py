@@ -20,7 +20,7 @@ from screwkit.algebra.points import Point
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.certificates.conditions import Conditions, Option, Place, Problem
-from screwkit.certificates.minor_choice import Minor, minors_on
+from screwkit.certificates.minor_choice import Minor
 from screwkit.certificates.records import Case, Node, Sheet, Unsolved
 from screwkit.certificates.roots import NotProvedError
 from screwkit.certificates.steps import (
@@ -163,19 +163,19 @@ class _Search(Conditions):
                 )
         rank = matrix.rank_at(*at)
         roots: tuple[Unsolved, ...] = ()
-        if self.problem.moving and rank < self.rank:
+        if self.problem.smaller and rank < self.rank:
             roots = self.roots(branch)
         vanishing = {str(primitive(p.value)) for p in branch.pending}
         candidates: list[_Candidate] = []
-        for minor in minors_on(branch, matrix, *at, self.source):
-            if len(minor.value) <= LONGEST:
-                factors = self.factors(branch, minor.value)
+        for minor in matrix.minors(branch, *at, self.source):
+            factors = self.product(branch, minor.parts, LONGEST)
+            if factors is not None:
                 if any(own.key in vanishing for own, _ in factors):
                     continue  # it says nothing here
                 open_ones = [f for f, _ in factors if not self.positive(branch, f)]
                 weight = sum(3 + len(f.equations[0]) for f in open_ones)
                 candidates.append((weight, len(candidates), minor, factors))
-                if not open_ones or len(minor.value) > MANY:
+                if not open_ones or minor.terms > MANY:
                     break
         if not candidates:
             raise NotProvedError("every minor is too long, or says nothing new")
@@ -215,9 +215,11 @@ class _Search(Conditions):
 
     def falls(self, at: tuple[Point, int]) -> bool:
         """Whether a posture belongs to the locus."""
-        matrix = self.problem.matrix
+        matrix, least = self.problem.matrix, self.problem.least
         if self.problem.moving:
             return matrix.freedom_at(*at) > 0
+        if least >= 0:
+            return matrix.freedom_at(*at) < least
         return matrix.rank_at(*at) < self.rank
 
     # -- cases -----------------------------------------------------------------------

@@ -77,6 +77,12 @@ class Matrix:
         )
         return sum(own) - self.rank_at(point, prime)
 
+    def minors(
+        self, branch: Branch, point: Point, prime: int, source: random.Random
+    ) -> Iterator[Minor]:
+        """Minors that are not zero at a point of a branch, of the rank there."""
+        return minors_on(branch, self, point, prime, source)
+
 
 @dataclass(frozen=True)
 class Minor:
@@ -85,14 +91,20 @@ class Minor:
     Attributes:
         columns: Numbers among all columns.
         rows: Numbers among the rows that the matrix holds.
-        value: On the branch, times powers of the steps' divisors.
+        parts: Their product, by powers, is the minor on the branch, times powers of the
+            steps' divisors.
         over: These powers.
     """
 
     columns: tuple[int, ...]
     rows: tuple[int, ...]
-    value: Polynomial
+    parts: tuple[tuple[Polynomial, int], ...]
     over: dict[str, int]
+
+    @property
+    def terms(self) -> int:
+        """Of all parts together."""
+        return sum(len(part) for part, _ in self.parts)
 
 
 def minors_on(
@@ -107,7 +119,7 @@ def minors_on(
     weights = [sum(map(len, on_branch[i][k][0])) for i, k in columns]
     values = matrix.at(point, prime)
     if not values or not values[0]:
-        yield Minor((), (), branch.ring.one, {})
+        yield Minor((), (), (), {})
         return
     seen: set[tuple[tuple[int, ...], tuple[int, ...]]] = set()
     for attempt in range(TRIED):
@@ -123,7 +135,7 @@ def minors_on(
             continue
         if value != 0:
             over = added(*(on_branch[i][k][1] for i, k in picked))
-            yield Minor(chosen, rows, value, over)
+            yield Minor(chosen, rows, ((value, 1),), over)
 
 
 def _choice(

@@ -31,10 +31,9 @@ from screwkit.algebra.modular import ResampleError, prime_for
 from screwkit.algebra.survey import SurveyRing
 from screwkit.certificates.records import Angles, Part, Step, Unsolved
 from screwkit.certificates.root_postures import Roots
+from screwkit.certificates.spoken_of import spoken_of
 from screwkit.certificates.texts import RefusedError, fraction, radicands_of, read
 from screwkit.kinematics.placement import joint_twists
-from screwkit.mechanism.graph import limbs
-from screwkit.mechanism.joints import freedom_labels
 from screwkit.mechanism.model import Mechanism
 
 _ATTEMPTS = 60
@@ -65,8 +64,8 @@ class Postures:
         self._mechanism = mechanism
         self.part = part
         self._source = source
-        self.limbs = _limbs(mechanism, part)
-        self._chain = [name for chain, _ in self.limbs for name in chain]
+        self.spoken_of = spoken_of(mechanism, part)
+        self._chain = self.spoken_of.chain
         seen = SurveyRing()
         joint_twists(mechanism, seen, part.origin, self._chain)
         radicands = [r.value for r in seen.roots if isinstance(r, Number)]
@@ -258,29 +257,6 @@ class Postures:
                 values = tuple(factor * x for x in values)
             twists[label] = tuple(values)
         return twists
-
-
-def _limbs(
-    mechanism: Mechanism, part: Part
-) -> tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]:
-    """The joints and the freedoms of the limbs that the part speaks of."""
-    joints = {joint.name: joint for joint in mechanism.joints}
-    found = []
-    for limb in limbs(mechanism):
-        if part.question == "limb" and limb.name != part.limb:
-            continue
-        if limb.path is None:
-            raise RefusedError(f"limb {limb.name!r} is no serial chain")
-        chain = tuple(name for name, _ in limb.path)
-        labels = tuple(
-            label
-            for name in chain
-            for label in freedom_labels(joints[name], mechanism.space)
-        )
-        found.append((chain, labels))
-    if not found:
-        raise RefusedError(f"there is no limb {part.limb!r}")
-    return tuple(found)
 
 
 def _declared(angles: Angles, wanted: set[str]) -> dict[str, dict[int, int]]:

@@ -187,7 +187,8 @@ class Locus:
     Attributes:
         equations: It is where all of them vanish.
         rank: Of the matrix, generic on the component.
-        freedom: Of the platform there, with the actuated joints locked; −1 for limbs.
+        freedom: Of the platform there, with the actuated joints locked; −1 for limbs
+            that are chains.
         reach: Its sheets.
     """
 
@@ -203,13 +204,16 @@ class Part:
 
     Attributes:
         question: ``limb``, ``constraint`` or ``actuation``.
+        form: Which matrix it is: empty for the limbs' twists, limb by limb; ``loops``
+            for the loop equations of the joint graph, see `graph_matrix`.
         limb: Name of the limb.
         locked: Freedoms that are held.
         origin: The link whose frame the twists are taken in.
         angles: The basis angles.
         scales: By freedom: what its twist is multiplied with to clear divisors.
         rank: Generic rank of the matrix.
-        components: Where the rank falls; of ``actuation``: where the platform moves.
+        components: Where the rank falls; of ``actuation``: where the platform moves; of
+            a limb by its loop equations: where it allows the platform less.
         idle: Of ``actuation``: where only limbs move.
         proof: That there is no other component; None if none was found.
         reason: Why there is no proof.
@@ -220,6 +224,7 @@ class Part:
     angles: Angles
     rank: int
     components: tuple[Locus, ...]
+    form: str = ""
     limb: str = ""
     locked: tuple[str, ...] = ()
     scales: Mapping[str, str] | None = None

@@ -1,4 +1,7 @@
-"""The matrix of a part at a posture, from the mechanism: twists, ranks, minors."""
+"""The matrix of a part at a posture, from the mechanism: twists, ranks, minors.
+
+Here of limbs that are chains; `graph_matrix` has that of any joint graph.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,7 @@ class ScrewMatrix:
     def __init__(self, postures: Postures) -> None:
         self._postures = postures
         self._part = postures.part
-        self.limbs = postures.limbs
+        self.limbs = postures.spoken_of.limbs
         self.prime = postures.prime
 
     def twists(self, point: PointRing) -> Mapping[str, tuple[Any, ...]]:
@@ -31,7 +34,7 @@ class ScrewMatrix:
     def columns(self) -> tuple[str, ...]:
         """The freedoms that are columns of the matrix, limb by limb."""
         locked = set(self._part.locked)
-        return tuple(x for _, own in self.limbs for x in own if x not in locked)
+        return tuple(x for own in self.limbs for x in own if x not in locked)
 
     def matrix(self, point: PointRing) -> dict[str, list[Any]]:
         """The columns of the part's matrix, by freedom.
@@ -45,7 +48,7 @@ class ScrewMatrix:
         loops = len(self.limbs) - 1
         locked, zero = set(self._part.locked), [point.zero] * 6
         columns = {}
-        for number, (_, labels) in enumerate(self.limbs):
+        for number, labels in enumerate(self.limbs):
             for label in labels:
                 if label in locked:
                     continue
@@ -73,7 +76,7 @@ class ScrewMatrix:
         twists, locked = self.twists(point), set(self._part.locked)
         own = [
             rank([twists[x] for x in labels if x not in locked], self.prime)
-            for _, labels in self.limbs
+            for labels in self.limbs
         ]
         return sum(own) - self.rank(point)
 

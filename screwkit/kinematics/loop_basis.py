@@ -11,12 +11,15 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TypeAlias
 
 from screwkit.mechanism.graph import Step
 from screwkit.mechanism.model import Joint, Mechanism
 
 Neighbours: TypeAlias = dict[str, list[tuple[str, Step]]]
+
+_HELD = " held"  # no name of a file has a blank in front
 
 
 def short_loops(mechanism: Mechanism) -> tuple[tuple[Step, ...], ...]:
@@ -38,6 +41,18 @@ def short_loops(mechanism: Mechanism) -> tuple[tuple[Step, ...], ...]:
         neighbours[joint.parent].append((joint.child, (joint.name, 1)))
         neighbours[joint.child].append((joint.parent, (joint.name, -1)))
     return tuple(loops)
+
+
+def held_loops(mechanism: Mechanism) -> tuple[tuple[Step, ...], ...]:
+    """The same where the platform is rigidly connected with the base.
+
+    The joint that connects them stands in a loop by a name that is none of the file's.
+    """
+    if mechanism.base == mechanism.platform:
+        return short_loops(mechanism)
+    first = mechanism.joints[0]
+    weld = replace(first, name=_HELD, parent=mechanism.base, child=mechanism.platform)
+    return short_loops(replace(mechanism, joints=(*mechanism.joints, weld)))
 
 
 def _swept(mechanism: Mechanism) -> Sequence[Joint]:

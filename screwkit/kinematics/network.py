@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 from screwkit.algebra.elimination_modulo import eliminated
@@ -37,6 +37,7 @@ from screwkit.mechanism.graph import (
 )
 from screwkit.mechanism.joints import CATALOGUE, freedom_labels
 from screwkit.mechanism.model import Mechanism
+from screwkit.mechanism.parts import part_of
 
 DENSE = 400
 """Columns up to which loop equations are solved as a dense matrix."""
@@ -175,20 +176,7 @@ class Network:
 
     def part(self, joints: Collection[str], ends: Sequence[str]) -> Network:
         """Some of the joints alone, seen from the first of ``ends`` to the last."""
-        chosen = frozenset(joints)
-        own = tuple(j for j in self.mechanism.joints if j.name in chosen)
-        met = {link for joint in own for link in (joint.parent, joint.child)}
-        kept = tuple(x for x in self.mechanism.links if x in met or x in ends)
-        return Network(
-            replace(
-                self.mechanism,
-                base=ends[0],
-                platform=ends[-1],
-                joints=own,
-                links=kept,
-                limb_names={},
-            )
-        )
+        return Network(part_of(self.mechanism, joints, ends))
 
 
 @dataclass(frozen=True, eq=False)

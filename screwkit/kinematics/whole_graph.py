@@ -22,19 +22,18 @@ from screwkit.algebra.modular import rank
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.telling_coordinates import telling_coordinates
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.conventions import SCREW_DIMENSION
 from screwkit.errors import UndecidedError
 from screwkit.kinematics.assembly import assumptions_of
 from screwkit.kinematics.exact_postures import ExactPosture
 from screwkit.kinematics.frames import FramedTwists, framed_twists
-from screwkit.kinematics.loop_basis import short_loops
+from screwkit.kinematics.loop_basis import held_loops
 from screwkit.kinematics.network import Motion, Network, motion
 from screwkit.mechanism.graph import Step
 from screwkit.mechanism.model import Mechanism
 
 Row: TypeAlias = dict[int, Polynomial]
 """Entries of a row by column, zeros absent."""
-
-_HELD = " held"  # no name of a file has a blank in front
 
 
 @dataclass(frozen=True)
@@ -120,11 +119,7 @@ class WholeGraph:
     @cached_property
     def _loops_held(self) -> tuple[tuple[Step, ...], ...]:
         """The same where the platform is rigidly connected with the base."""
-        base, platform = self.mechanism.base, self.mechanism.platform
-        first = self.mechanism.joints[0]
-        weld = replace(first, name=_HELD, parent=base, child=platform)
-        joints = (*self.mechanism.joints, weld)
-        return short_loops(replace(self.mechanism, joints=joints))
+        return held_loops(self.mechanism)
 
     @cached_property
     def _telling(self) -> tuple[int, ...]:
@@ -140,19 +135,29 @@ class WholeGraph:
             locked: Freedoms without a column.
             held: With the platform held to the base, [C; P] instead of C.
         """
+        labels, rows = self.numbered_equations(locked, held=held)
+        return labels, [*rows.values()]
+
+    def numbered_equations(
+        self, locked: Collection[str] = (), *, held: bool = False
+    ) -> tuple[tuple[str, ...], dict[int, Row]]:
+        """The same with each row's number: six coordinates of one loop after another.
+
+        Rows of zeros, and those that follow from others of their loop, are left out.
+        """
         labels = tuple(x for x in self.network.labels if x not in locked)
         place = {label: i for i, label in enumerate(labels)}
-        rows: list[Row] = []
-        for loop in self._loops_held if held else self._loops:
-            own: list[Row] = [{} for _ in self._telling]
-            for joint, sign in loop:
-                for label in self.network.labels_of.get(joint, ()):
-                    if label in place:
-                        column = self.framed.column(label)
-                        for row, coordinate in zip(own, self._telling, strict=True):
-                            if column[coordinate] != 0:
-                                row[place[label]] = sign * column[coordinate]
-            rows += [row for row in own if row]
+        rows: dict[int, Row] = {}
+        for number, loop in enumerate(self._loops_held if held else self._loops):
+            for coordinate in self._telling:
+                row: Row = {}
+                for joint, sign in loop:
+                    for label in self.network.labels_of.get(joint, ()):
+                        entry = self.framed.column(label)[coordinate]
+                        if label in place and entry != 0:
+                            row[place[label]] = sign * entry
+                if row:
+                    rows[SCREW_DIMENSION * number + coordinate] = row
         return labels, rows
 
     def posture_at(self, point: Point, prime: int) -> ExactPosture:

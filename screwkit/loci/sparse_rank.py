@@ -19,16 +19,38 @@ _LONGEST = 400
 
 
 @dataclass(frozen=True)
+class Pivot:
+    """An entry that was taken out with its row and its column.
+
+    Attributes:
+        row: Number of its row in the whole matrix.
+        column: Number of its column.
+        entry: Its value then, zero nowhere.
+        times: How many rows were multiplied with it.
+    """
+
+    row: int
+    column: int
+    entry: Polynomial
+    times: int
+
+
+@dataclass(frozen=True)
 class Reduced:
     """What is left of a matrix.
 
+    Minors of the whole matrix that hold all pivots are, up to numbers, those of the
+    rows that are left times ``entry`` ** (1 − ``times``) of each pivot.
+
     Attributes:
         rows: None is empty.
-        pivots: How many were taken out; the rank is theirs and that of the rows.
+        numbers: Their numbers in the whole matrix.
+        pivots: What was taken out; the rank is their number and that of the rows.
     """
 
     rows: tuple[Row, ...]
-    pivots: int
+    numbers: tuple[int, ...]
+    pivots: tuple[Pivot, ...]
 
 
 def reduced(branch: Branch, rows: Sequence[Row]) -> Reduced:
@@ -38,19 +60,25 @@ def reduced(branch: Branch, rows: Sequence[Row]) -> Reduced:
         branch: Where the entries are taken, in the generators left on it.
         rows: By column.
     """
-    left = [_without_content(row) for row in rows if row]
+    left = {k: _without_content(row) for k, row in enumerate(rows) if row}
     judged: dict[str, bool] = {}
-    pivots = 0
+    pivots: list[Pivot] = []
     while True:
-        choice = _cheapest(branch, left, judged)
+        choice = _cheapest(branch, [*left.values()], judged)
         if choice is None:
             break
-        number, column = choice
+        number, column = [*left][choice[0]], choice[1]
         pivot_row = left.pop(number)
-        left = [_cleared(branch, row, pivot_row, column) for row in left]
-        left = [_without_content(row) for row in left if row]
-        pivots += 1
-    return Reduced(tuple(left), pivots)
+        entry = pivot_row[column]
+        # A constant entry divides the row, and multiplies nothing.
+        times = sum(column in row for row in left.values())
+        times = 0 if entry.is_constant() else times
+        pivots.append(Pivot(number, column, entry, times))
+        cleared = {
+            k: _cleared(branch, row, pivot_row, column) for k, row in left.items()
+        }
+        left = {k: _without_content(row) for k, row in cleared.items() if row}
+    return Reduced(tuple(left.values()), tuple(left), tuple(pivots))
 
 
 def _cheapest(
