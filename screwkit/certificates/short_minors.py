@@ -21,7 +21,7 @@ from screwkit.algebra.points import Point, residue
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.errors import TooLargeError
 from screwkit.kinematics.whole_graph import Row
-from screwkit.loci.sparse_rank import reduced
+from screwkit.loci.sparse_rank import Pivot, reduced
 
 _PRODUCTS = 300_000
 """Products of terms in the expansion of a determinant by one more column."""
@@ -73,13 +73,8 @@ def short_minors(
         source: Draws rows and columns.
     """
     small = reduced(branch, rows)
-    pivots = ShortMinor(
-        tuple(pivot.row for pivot in small.pivots),
-        tuple(pivot.column for pivot in small.pivots),
-        tuple((p.entry, 1 - p.times) for p in small.pivots if p.times != 1),
-    )
     if not small.rows:
-        yield pivots
+        yield _product(small.pivots, ())
         return
     lines = dict(zip(small.numbers, small.rows, strict=True))
     columns = sorted({column for row in small.rows for column in row})
@@ -102,14 +97,19 @@ def short_minors(
         return
     for number in range(min(_OFFERED, max(map(len, choices), default=1))):
         chosen = [own[min(number, len(own) - 1)] for own in choices]
-        yield _product([pivots, *chosen])
+        yield _product(small.pivots, chosen)
 
 
-def _product(factors: Sequence[ShortMinor]) -> ShortMinor:
+def _product(pivots: Sequence[Pivot], factors: Sequence[ShortMinor]) -> ShortMinor:
+    rows = (*(p.row for p in pivots), *(row for own in factors for row in own.rows))
+    columns = (
+        *(p.column for p in pivots),
+        *(c for own in factors for c in own.columns),
+    )
+    powers = [1 - len({*p.multiplied} & {*rows}) for p in pivots]
+    parts = [(p.entry, power) for p, power in zip(pivots, powers, strict=True) if power]
     return ShortMinor(
-        tuple(row for own in factors for row in own.rows),
-        tuple(column for own in factors for column in own.columns),
-        tuple(part for own in factors for part in own.parts),
+        rows, columns, (*parts, *(part for own in factors for part in own.parts))
     )
 
 

@@ -26,21 +26,22 @@ class Pivot:
         row: Number of its row in the whole matrix.
         column: Number of its column.
         entry: Its value then, zero nowhere.
-        times: How many rows were multiplied with it.
+        multiplied: Numbers of the rows that were multiplied with it.
     """
 
     row: int
     column: int
     entry: Polynomial
-    times: int
+    multiplied: tuple[int, ...]
 
 
 @dataclass(frozen=True)
 class Reduced:
     """What is left of a matrix.
 
-    Minors of the whole matrix that hold all pivots are, up to numbers, those of the
-    rows that are left times ``entry`` ** (1 − ``times``) of each pivot.
+    A minor of the whole matrix that holds all pivots is, up to a number, one of the
+    rows that are left times each pivot's entry, divided by it once for every row of
+    the minor that was multiplied with it.
 
     Attributes:
         rows: None is empty.
@@ -71,9 +72,9 @@ def reduced(branch: Branch, rows: Sequence[Row]) -> Reduced:
         pivot_row = left.pop(number)
         entry = pivot_row[column]
         # A constant entry divides the row, and multiplies nothing.
-        times = sum(column in row for row in left.values())
-        times = 0 if entry.is_constant() else times
-        pivots.append(Pivot(number, column, entry, times))
+        touched = () if entry.is_constant() else left
+        multiplied = tuple(k for k in touched if column in left[k])
+        pivots.append(Pivot(number, column, entry, multiplied))
         cleared = {
             k: _cleared(branch, row, pivot_row, column) for k, row in left.items()
         }
