@@ -15,16 +15,12 @@ from dataclasses import dataclass
 
 from screwkit.algebra.block_triangles import Block, blocks, structural_rank
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.minors import minors_of
 from screwkit.algebra.modular import independent, rank
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.trigonometric import Polynomial
-from screwkit.errors import TooLargeError
+from screwkit.certificates.sparse_determinant import determinant
 from screwkit.kinematics.whole_graph import Row
 from screwkit.loci.sparse_rank import Pivot, reduced
-
-_PRODUCTS = 300_000
-"""Products of terms in the expansion of a determinant by one more column."""
 
 _DRAWN = 40
 """Choices of rows and columns of one block."""
@@ -159,32 +155,9 @@ def _expanded(
     kept: Sequence[int],
     columns: Sequence[int],
 ) -> ShortMinor | None:
-    """A minor as the product of its own blocks; None where one is too long."""
-    ring = branch.ring
+    """A minor as a product; None where it is too long."""
     pattern = [{c: rows[k][c] for c in columns if c in rows[k]} for k in kept]
-    parts: list[tuple[Polynomial, int]] = []
-    for block in blocks(pattern):
-        ordered = _by_overlap(pattern, block)
-        entries = [[pattern[k].get(c, ring.zero) for k in block.rows] for c in ordered]
-        try:
-            minors = minors_of(ring, entries, _PRODUCTS)
-        except TooLargeError:
-            return None
-        value: Polynomial = minors.get((1 << len(ordered)) - 1, ring.zero)
-        if value == 0:
-            return None
-        if not value.is_constant():
-            parts.append((value, 1))
-    return ShortMinor(tuple(kept), tuple(columns), tuple(parts))
-
-
-def _by_overlap(rows: Sequence[Row], block: Block) -> list[int]:
-    """Columns in an order in which few rows are begun at a time."""
-    left = {c: {k for k in block.rows if c in rows[k]} for c in block.columns}
-    begun: set[int] = set()
-    ordered: list[int] = []
-    while left:
-        best = min(left, key=lambda c: (len(left[c] - begun), len(left[c]), c))
-        begun |= left.pop(best)
-        ordered.append(best)
-    return ordered
+    parts = determinant(branch.ring, pattern)
+    return (
+        None if parts is None else ShortMinor(tuple(kept), tuple(columns), tuple(parts))
+    )
