@@ -8,13 +8,16 @@ from functools import cache
 import numpy as np
 import pytest
 from kinematics.float_loops import null_vectors
+from loci.numeric import Array, value
 from loci.test_graph_loci import exactly_on
-from loci.test_hybrid_loci import at, drawn, freedom
+from loci.test_hybrid_loci import At, at, drawn, freedom
 from loci.test_tied_loci import FIVE_BAR, FOUR_BAR
 
 import screwkit as sk
+from screwkit.algebra.expression import Expression
+from screwkit.algebra.text import expression_text
 from screwkit.case import load_text
-from screwkit.results.schemes import Redundancy, Refusal, Schemes
+from screwkit.results.schemes import Ranking, Redundancy, Refusal, Schemes
 from screwkit.results.undecided import Undecided
 
 ARM = "palletizer_scara"
@@ -23,6 +26,11 @@ ARM = "palletizer_scara"
 @cache
 def refusals(size: int) -> tuple[Refusal, ...]:
     return sk.schemes(sk.load(ARM), size=size, work=0).refusals
+
+
+def number_of(expression: Expression | None) -> float:
+    assert expression is not None
+    return value(expression_text(expression), {})
 
 
 def left(*locked: str, seed: int = 2) -> int:
@@ -148,3 +156,70 @@ def test_a_graph_without_actuators_says_so() -> None:
     found = sk.schemes(case, size=0, work=0, add=True).redundancy
     assert isinstance(found, Undecided)
     assert "declares no actuated joint" in found.reason
+
+
+def conditioning(here: At, actuated: tuple[str, ...]) -> float:
+    """Of the map from rates of unit axes to the platform's twist: least over largest.
+
+    The twist follows from the rates, where the other way round a scheme is read off the
+    twist; slides are measured, like all lengths, in units of the size.
+    """
+    mechanism = here.mechanism
+    labels = [joint.name for joint in mechanism.joints]
+    rates = null_vectors(here.loop_matrix())
+    twists = here.platform()
+    read = []
+    for label in actuated:
+        twist = here.as_written[label]
+        scale = np.linalg.norm(here.twists[label])
+        turns = np.linalg.norm(twist[:3])
+        unit = turns if np.any(twist[:3]) else np.linalg.norm(twist[3:]) / here.size
+        read.append(rates[labels.index(label)] / scale * unit)
+    given: Array = twists @ np.linalg.pinv(np.array(read), rcond=1e-10)
+    sizes = np.linalg.svd(given, compute_uv=False)[: len(actuated)]
+    return float(sizes[-1] / sizes[0])
+
+
+@pytest.mark.parametrize(
+    ("name", "candidates"),
+    [
+        (ARM, ["W", "O1", "O2", "c", "u0", "T"]),
+        ("orthoglide", ["P1", "P2", "P3", "Rb2"]),  # limbs with parallelograms
+    ],
+)
+def test_schemes_are_ranked_as_their_maps_are_in_floats(
+    name: str, candidates: list[str]
+) -> None:
+    case = sk.load(name)
+    declared = {p.name: number_of(p.value) for p in case.mechanism.parameters}
+    posture = {
+        p.name: declared[p.name] + 0.07 * number
+        for number, p in enumerate(case.mechanism.parameters)
+        if p.free
+    }
+    here = at(name, {**declared, **posture})
+    found = sk.schemes(
+        case,
+        work=0,
+        candidates=candidates,
+        rank=1,
+        within=[f"{symbol}={x!r}:{x!r}" for symbol, x in posture.items()],
+        length=repr(here.size),
+    ).ranking
+    assert isinstance(found, Ranking)
+    assert len(found.schemes) > 2
+    for one in found.schemes:
+        wanted = conditioning(here, one.actuated)
+        assert one.median == one.worst == pytest.approx(wanted, rel=1e-7)
+
+
+def test_one_freedom_is_always_even() -> None:
+    found = sk.schemes(sk.load("peaucellier"), work=0, rank=5).ranking
+    assert isinstance(found, Ranking)
+    assert {round(one.worst, 12) for one in found.schemes} == {1.0}
+
+
+def test_loops_that_tie_joint_variables_are_not_ranked() -> None:
+    found = sk.schemes(load_text(FIVE_BAR), work=0, rank=5).ranking
+    assert isinstance(found, Undecided)
+    assert "no set of closed postures is drawn" in found.reason
