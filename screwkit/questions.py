@@ -265,16 +265,18 @@ def schemes(
         _need_exact_posture(case)
     terms = analysis.WORK if work is None else work
     if graph is not None:
-        if rank or add:
-            raise UndecidedError(
-                "schemes are ranked, and actuators added, where the limbs are chains "
-                "or nestings of chains; without --rank and --add this question is "
-                "answered"
-            )
         from screwkit.analyses.graph_schemes import graph_schemes  # noqa: PLC0415
 
         answer = graph_schemes(
-            graph, size, candidates, balanced, progress, terms, finished
+            graph,
+            size,
+            candidates,
+            balanced,
+            progress,
+            terms,
+            finished,
+            _ranked(case, rank, within, length) if rank else None,
+            add,
         )
         free = case.network.has_symbols or bool(case.network.tied)
         return replace(answer, one_posture=not free)

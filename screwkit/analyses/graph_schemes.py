@@ -18,17 +18,25 @@ from typing import Any
 from screwkit.algebra.names import counted
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.trigonometric import primitive
-from screwkit.analyses.scheme_lists import number_of_schemes, told_schemes
+from screwkit.analyses.graph_redundancy import graph_redundancy
+from screwkit.analyses.scheme_lists import (
+    NOTHING_DECLARED,
+    Ranked,
+    number_of_schemes,
+    told_schemes,
+)
 from screwkit.errors import UnknownNameError
 from screwkit.kinematics.tied_graph import TiedGraph
-from screwkit.kinematics.whole_graph import GraphState, LockedRanks, WholeGraph
+from screwkit.kinematics.whole_graph import WholeGraph
 from screwkit.loci.graph_loci import actuation_locus
+from screwkit.loci.graph_witness import GraphWitnesses
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece
 from screwkit.loci.tied_loci import tied_actuation_locus
 from screwkit.loci.wording import equations_of
 from screwkit.progress import Progress, silent
 from screwkit.results.schemes import LocusFactor, Scheme, Schemes
+from screwkit.results.undecided import Undecided
 
 PER_LOCUS = 20_000
 """Terms that the locus of one scheme counts as."""
@@ -103,6 +111,8 @@ def graph_schemes(
     progress: Progress = silent,
     work: int = 1_000_000,
     finished: Callable[[str, Any], None] = lambda name, part: None,
+    ranked: Ranked | None = None,
+    add: bool = False,
 ) -> Schemes:
     """Answer ``schemes`` for any joint graph.
 
@@ -114,6 +124,8 @@ def graph_schemes(
         progress: Told about each stage.
         work: Terms that all loci together may take.
         finished: Given the answer without loci as soon as it is there.
+        ranked: Orders the admissible schemes.
+        add: Find what added actuators do to the declared scheme.
 
     Raises:
         UnknownNameError: If a candidate is no freedom that a motor can drive, or there
@@ -131,14 +143,27 @@ def graph_schemes(
         )
     total = number_of_schemes(number, len(chosen))
     progress("schemes", f"{total} schemes of {number} joints")
-    ranks = [LockedRanks(found) for found in graph.generic_motions]
+    witnesses = GraphWitnesses(graph)
     listed = [
-        _scheme(graph, actuated, ranks)
+        _scheme(graph, actuated, witnesses)
         for actuated in combinations(chosen, number)
         if not balanced or _is_balanced(graph, actuated)
     ]
     limbs = len(graph.framed.limbs)
     known = told_schemes(graph.mechanism, number, limbs, listed)
+    if ranked is not None:
+        progress("ranking", f"{known.admissible} schemes")
+        order = ranked([scheme.actuated for scheme in listed if scheme.admissible])
+        known = replace(known, ranking=order)
+    if add:
+        progress("redundancy", "singularities of the declared scheme")
+        declared = graph.mechanism.actuated
+        known = replace(
+            known,
+            redundancy=graph_redundancy(graph, declared, chosen)
+            if declared
+            else Undecided(NOTHING_DECLARED),
+        )
     finished("admissible", replace(known, complete=False, reason="no locus yet"))
     loci = _Loci(graph, work)
     done = []
@@ -148,6 +173,8 @@ def graph_schemes(
         done.append(loci.of(scheme))
     return replace(
         told_schemes(graph.mechanism, number, limbs, done),
+        ranking=known.ranking,
+        redundancy=known.redundancy,
         factors=loci.factors(),
         complete=not any(scheme.undecided for scheme in done),
         reason=_open(done, loci),
@@ -177,18 +204,15 @@ def _candidates(graph: WholeGraph, names: Sequence[str] | None) -> tuple[str, ..
 
 
 def _scheme(
-    graph: WholeGraph, actuated: tuple[str, ...], ranks: Sequence[LockedRanks]
+    graph: WholeGraph, actuated: tuple[str, ...], witnesses: GraphWitnesses
 ) -> Scheme:
     """A scheme of which only the rank is known."""
-    states = [one.state(actuated) for one in ranks]
-    state: GraphState = max(states, key=lambda s: s.loop)
-    freedom = state.platform_freedom
-    left = counted(freedom, "freedom")
+    freedom = witnesses.state(actuated).platform_freedom
     return Scheme(
         actuated,
         not freedom,
         len(graph.network.rows) - freedom,
-        reason=f"the platform keeps {left}" if freedom else None,
+        reason=witnesses.of(actuated) if freedom else None,
         balanced=_is_balanced(graph, actuated),
     )
 

@@ -25,6 +25,7 @@ from screwkit.loci.graph_loci import (
     limb_locus,
     state_on,
 )
+from screwkit.loci.graph_witness import GraphWitnesses
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece
 from screwkit.progress import Progress, silent
@@ -70,7 +71,7 @@ def graph_singularities(
     if scheme:
         free = len(graph.network.labels) - len(scheme)
         progress("actuation", f"{free} passive freedoms")
-        actuation = _actuation(graph, scheme)
+        actuation, _ = actuation_places(graph, scheme)
     return put_together(
         mechanism,
         (limbs, constraint, actuation),
@@ -141,12 +142,23 @@ def _constraint(graph: WholeGraph) -> ConstraintSingularities:
     )
 
 
-def _actuation(graph: WholeGraph, actuated: Sequence[str]) -> ActuationSingularities:
-    """Where, with these freedoms locked, the platform can move."""
+def actuation_places(
+    graph: WholeGraph, actuated: Sequence[str]
+) -> tuple[ActuationSingularities, tuple[Piece, ...]]:
+    """Where, with these freedoms locked, the platform can move, and the pieces.
+
+    Args:
+        graph: The mechanism.
+        actuated: The freedoms that are locked.
+
+    Returns:
+        The answer, and the pieces of its components in their order.
+    """
     size = _size(graph)
     generic = graph.generic_state(actuated)
     if generic.platform_freedom:
-        return never_still(actuated, size, generic.platform_freedom)
+        witness = GraphWitnesses(graph).of(actuated)
+        return never_still(actuated, size, generic.platform_freedom, witness), ()
     locus = actuation_locus(graph, actuated)
     meanings = _meanings(graph) if locus.pieces or locus.others else None
 
@@ -154,15 +166,17 @@ def _actuation(graph: WholeGraph, actuated: Sequence[str]) -> ActuationSingulari
         state = state_on(graph, piece.branches, actuated)
         return _component(graph, piece, meanings, state, size - state.platform_freedom)
 
-    return ActuationSingularities(
+    pieces = tuple(_in_order(locus.pieces))
+    answer = ActuationSingularities(
         actuated=tuple(actuated),
         admissible=True,
         generic_rank=size,
         complete=not locus.reason,
-        components=tuple(map(component, _in_order(locus.pieces))),
+        components=tuple(map(component, pieces)),
         idle=tuple(map(component, _in_order(locus.others))),
         reason=locus.reason,
     )
+    return answer, pieces
 
 
 def _component(

@@ -9,11 +9,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from screwkit.algebra.expression import Expression
+from screwkit.analyses.ranked_motion import ranked_motion
 from screwkit.errors import UndecidedError
-from screwkit.kinematics.assembly import Assembly
+from screwkit.kinematics.placement import why_tied
 from screwkit.kinematics.values import declared_values, with_values
-from screwkit.loci.actuation import passive_joints
-from screwkit.loci.passive import PassiveSystem
 from screwkit.mechanism.model import Mechanism
 from screwkit.metrics.posture_samples import (
     SEED,
@@ -42,51 +41,50 @@ def ranking(
     """Order schemes of one size by their conditioning.
 
     Args:
-        mechanism: Its limbs are serial chains, and no loop ties its variables.
+        mechanism: Limbs or any joint graph.
         schemes: Admissible for generic values.
         postures: How many are drawn.
         within: Ranges of symbols, ``NAME=FROM:TO`` each.
         length: That counts as one radian, in the units of the file.
 
     Raises:
-        UndecidedError: If a dimension has no value, or no posture exists, or limbs have
-            loops inside.
+        UndecidedError: If a dimension has no value, no posture exists, or loops tie
+            joint variables together.
         UnknownNameError: If a range is one of no symbol.
         ExpressionError: If it is none.
     """
+    tied = why_tied(mechanism)
+    if tied:
+        raise UndecidedError(
+            f"{tied}, so that no set of closed postures is drawn over which schemes "
+            f"could be ranked"
+        )
     names = [p.name for p in mechanism.parameters]
     if mechanism.geometry != "posture":
         names += mechanism.joint_variables
     intervals = dict(interval_of(text, names) for text in within)
     fixed = _fixed(mechanism, intervals)
     sample = posture_sample(mechanism, postures, intervals, length)
-    assembly = Assembly(with_values(mechanism, fixed) if fixed else mechanism)
-    if assembly.has_blocks:
-        raise UndecidedError(
-            "limbs have loops inside, for which no scheme is ranked yet"
-        )
-    system = PassiveSystem(assembly)
-    whole = system.generic_state(assembly.joints)
-    mobility, freedom = whole.mobility, whole.platform_freedom
-    states = system.generic_states(
-        [passive_joints(assembly, actuated) for actuated in schemes]
+    moving = ranked_motion(
+        with_values(mechanism, fixed) if fixed else mechanism, schemes
     )
-    place = {joint: number for number, joint in enumerate(assembly.joints)}
+    place = {label: number for number, label in enumerate(moving.labels)}
     motions = driving(
-        sample.twists.of(assembly.joints, sample.length),
-        [[place[joint] for joint in limb.joints] for limb in assembly.limbs],
-        mobility,
-        freedom,
+        sample.twists.of(moving.labels, sample.length),
+        moving.incidence,
+        moving.mobility,
+        moving.freedom,
     )
     holding = [
-        (actuated, state)
-        for actuated, state in zip(schemes, states, strict=True)
-        if not state.platform_freedom
+        (actuated, mobility)
+        for actuated, (mobility, freedom) in zip(schemes, moving.left, strict=True)
+        if not freedom
     ]
+    idle = moving.mobility - moving.freedom
     values = conditioning(
         motions,
         [[place[joint] for joint in actuated] for actuated, _ in holding],
-        [mobility - freedom - state.mobility for _, state in holding],
+        [idle - mobility for _, mobility in holding],
     )
     known = {
         actuated: numbers

@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import comb
+from typing import TypeAlias
 
 from screwkit.errors import TooLargeError
 from screwkit.mechanism.model import Mechanism
-from screwkit.results.schemes import Balanced, Refusal, Scheme, Schemes
+from screwkit.results.schemes import Balanced, Ranking, Refusal, Scheme, Schemes
+from screwkit.results.undecided import Undecided
+
+Ranked: TypeAlias = Callable[[Sequence[tuple[str, ...]]], Ranking | Undecided]
+"""Orders admissible schemes, or says why it cannot."""
+
+NOTHING_DECLARED = (
+    "the file declares no actuated joint to which others could be added: give some "
+    "with --actuated"
+)
 
 LARGEST = 20_000  # schemes; beyond, candidates have to be named
 

@@ -8,12 +8,17 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import combinations
-from typing import Any, TypeAlias
+from typing import Any
 
 from screwkit.algebra.names import counted
 from screwkit.analyses.mirror_classes import mirror_classes, with_mirror
 from screwkit.analyses.redundancy import redundancy
-from screwkit.analyses.scheme_lists import number_of_schemes, told_schemes
+from screwkit.analyses.scheme_lists import (
+    NOTHING_DECLARED,
+    Ranked,
+    number_of_schemes,
+    told_schemes,
+)
 from screwkit.analyses.scheme_loci import LociOfSchemes
 from screwkit.errors import UnknownNameError
 from screwkit.kinematics.assembly import Assembly
@@ -23,14 +28,11 @@ from screwkit.loci.actuation import passive_joints
 from screwkit.loci.passive import PassiveSystem
 from screwkit.progress import Progress, silent
 from screwkit.results.schemes import (
-    Ranking,
     Redundancy,
     Scheme,
     Schemes,
 )
 from screwkit.results.undecided import Undecided
-
-Ranked: TypeAlias = Callable[[Sequence[tuple[str, ...]]], Ranking | Undecided]
 
 _REPORT = 50  # schemes between two words of progress
 WORK = 1_000_000
@@ -127,10 +129,7 @@ def _redundancy(
 ) -> Redundancy | Undecided:
     scheme = assembly.mechanism.actuated
     if not scheme:
-        return Undecided(
-            "the file declares no actuated joint to which others could be added: "
-            "give some with --actuated"
-        )
+        return Undecided(NOTHING_DECLARED)
     return redundancy(assembly, scheme, candidates)
 
 

@@ -22,6 +22,7 @@ from screwkit.analyses.whole_singularities import (
 )
 from screwkit.kinematics.tied_graph import TiedGraph
 from screwkit.kinematics.whole_graph import GraphState
+from screwkit.loci.graph_witness import GraphWitnesses
 from screwkit.loci.tied_loci import TiedLocus, TiedPiece, columns_locus, loop_locus
 from screwkit.loci.wording import all_solutions, equations_of, solved_equations
 from screwkit.progress import Progress, silent
@@ -82,7 +83,7 @@ def tied_singularities(
     if scheme:
         free = len(graph.network.labels) - len(scheme)
         progress("actuation", f"{free} passive freedoms")
-        actuation = _actuation(graph, scheme, kept)
+        actuation, _ = tied_actuation(graph, scheme)
     return put_together(
         mechanism,
         (limbs, constraint, actuation),
@@ -131,15 +132,24 @@ def _limb(graph: TiedGraph, number: int, kept: Sequence[Unknown]) -> LimbSingula
     )
 
 
-def _actuation(
-    graph: TiedGraph, actuated: Sequence[str], kept: Sequence[Unknown]
-) -> ActuationSingularities:
-    """Where, with these freedoms locked, the platform can move."""
+def tied_actuation(
+    graph: TiedGraph, actuated: Sequence[str]
+) -> tuple[ActuationSingularities, tuple[TiedPiece, ...]]:
+    """Where, with these freedoms locked, the platform can move, and the pieces.
+
+    Args:
+        graph: The mechanism.
+        actuated: The freedoms that are locked.
+
+    Returns:
+        The answer, and the pieces of its components in their order.
+    """
     size = _size(graph)
     generic = graph.generic_state(actuated)
     if generic.platform_freedom:
-        return never_still(actuated, size, generic.platform_freedom)
-    locus = loop_locus(graph, actuated, kept)
+        witness = GraphWitnesses(graph).of(actuated)
+        return never_still(actuated, size, generic.platform_freedom, witness), ()
+    locus = loop_locus(graph, actuated, graph.unknowns_of(actuated))
     found = []
     for one in locus.pieces:
         state = graph.state_at(one.points, actuated)
@@ -155,7 +165,7 @@ def _actuation(
     if idle:
         inside = "more may move inside conditions on which only a limb idles"
         reason = "; ".join(filter(None, [reason, inside]))
-    return ActuationSingularities(
+    answer = ActuationSingularities(
         actuated=tuple(actuated),
         admissible=True,
         generic_rank=size,
@@ -164,6 +174,8 @@ def _actuation(
         idle=idle,
         reason=reason,
     )
+    moving = zip(locus.pieces, found, strict=True)
+    return answer, tuple(one for one, c in moving if c.platform_freedom)
 
 
 def _component(

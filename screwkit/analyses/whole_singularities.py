@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.factor_library import FactorLibrary
-from screwkit.algebra.names import counted
 from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.analyses.assumed import assumptions_in_words, unsplit
 from screwkit.kinematics.whole_graph import GraphState
@@ -85,14 +84,9 @@ def graph_component(
 
 
 def never_still(
-    actuated: Sequence[str], size: int, freedom: int
+    actuated: Sequence[str], size: int, freedom: int, witness: str
 ) -> ActuationSingularities:
-    """A scheme that leaves the platform some freedoms everywhere."""
+    """A scheme that leaves the platform some freedoms everywhere, and why."""
     return ActuationSingularities(
-        tuple(actuated),
-        False,
-        size - freedom,
-        True,
-        (),
-        witness=f"it keeps {counted(freedom, 'freedom')}",
+        tuple(actuated), False, size - freedom, True, (), witness=witness
     )

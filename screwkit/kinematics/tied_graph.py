@@ -92,6 +92,11 @@ class TiedGraph(WholeGraph):
         """All closed postures."""
         return self.closed_where(())
 
+    @property
+    def points(self) -> tuple[tuple[Point, int], ...]:
+        """The exact closed postures that were found."""
+        return self.closed.points
+
     def generic_state(self, locked: Collection[str] = ()) -> GraphState:
         """What moves in general at closed postures.
 

@@ -107,6 +107,11 @@ class WholeGraph:
             directions=tuple(direction for _, direction in squares.values()),
         )
 
+    @property
+    def points(self) -> tuple[tuple[Point, int], ...]:
+        """Random exact postures as points of the ring, with their primes."""
+        return tuple(self.root.points)
+
     @cached_property
     def library(self) -> FactorLibrary:
         """The factors met in the ring so far."""

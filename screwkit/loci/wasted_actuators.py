@@ -7,11 +7,12 @@ scheme is not admissible, whatever its other actuators are.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
-from screwkit.loci.passive import PassiveSystem
+from screwkit.algebra.names import counted
+from screwkit.loci.features import listed
 
 
 class Wasted(NamedTuple):
@@ -22,19 +23,21 @@ class Wasted(NamedTuple):
 
 
 class HeldFreedoms:
-    """How many freedoms of the platform any locked joints take, in general."""
+    """How many freedoms of the platform any locked joints take, in general.
 
-    def __init__(self, system: PassiveSystem) -> None:
-        self._system = system
+    Args:
+        left: Freedoms of the platform with some joints locked.
+    """
+
+    def __init__(self, left: Callable[[tuple[str, ...]], int]) -> None:
+        self._left = left
         self._known: dict[tuple[str, ...], int] = {}
-        self.platform = system.generic_state(system.joints).platform_freedom
+        self.platform = left(())
 
     def by(self, locked: tuple[str, ...]) -> int:
         """The platform's freedoms less those that are left."""
         if locked not in self._known:
-            passive = [joint for joint in self._system.joints if joint not in locked]
-            left = self._system.generic_state(passive).platform_freedom
-            self._known[locked] = self.platform - left
+            self._known[locked] = self.platform - self._left(locked)
         return self._known[locked]
 
     def wasted_in(self, actuators: Sequence[str]) -> Wasted | None:
@@ -49,3 +52,33 @@ class HeldFreedoms:
                 if self.by(chosen) < size:
                     return Wasted(chosen, self.by(chosen))
         return None
+
+
+def too_few(actuators: int, freedoms: int) -> str:
+    """That there are fewer actuators than freedoms, in words."""
+    return (
+        f"{counted(actuators, 'actuator')} cannot hold the platform's "
+        f"{counted(freedoms, 'freedom')}"
+    )
+
+
+def doing_too_little(wasted: Wasted, left: Callable[[Sequence[str]], str]) -> str:
+    """Actuators that hold fewer freedoms than they are, in words.
+
+    Args:
+        wasted: A smallest choice of them.
+        left: The type of the platform's motion with joints locked, in words.
+    """
+    names = wasted.actuators
+    if len(names) == 1:
+        return (
+            f"actuator {names[0]} holds nothing: with it locked the platform moves "
+            f"as freely as before"
+        )
+    if len(names) == 2:
+        return (
+            f"actuators {listed(names)} hold the same freedom: with one or both "
+            f"locked the platform keeps {left(names)}"
+        )
+    held = counted(wasted.held, "freedom")
+    return f"actuators {listed(names)} together hold {held} only"

@@ -23,7 +23,11 @@ from screwkit.loci.hybrid_ranks import HybridRanks
 from screwkit.loci.meanings import Residue, features_at, features_of
 from screwkit.loci.passive import PassiveSystem
 from screwkit.loci.remaining_motion import Motion, motion_in_words
-from screwkit.loci.wasted_actuators import HeldFreedoms, Wasted
+from screwkit.loci.wasted_actuators import (
+    HeldFreedoms,
+    doing_too_little,
+    too_few,
+)
 
 
 class ExactTwists(NamedTuple):
@@ -47,38 +51,23 @@ class Witnesses:
             return shared
         actuated = [joint for joint in self._system.joints if joint not in passive]
         if len(actuated) < self._held.platform:
-            return (
-                f"{counted(len(actuated), 'actuator')} cannot hold the platform's "
-                f"{counted(self._held.platform, 'freedom')}"
-            )
+            return too_few(len(actuated), self._held.platform)
         wasted = self._held.wasted_in(actuated)
         if wasted is not None and len(wasted.actuators) < 3:
-            return self._doing_too_little(wasted)
+            return doing_too_little(wasted, self._motion_type)
         motion = self._one_motion(passive)
         if wasted is None or motion.named or len(wasted.actuators) == len(actuated):
             return motion.text
-        return f"{self._doing_too_little(wasted)}; {motion.text}"
+        return f"{doing_too_little(wasted, self._motion_type)}; {motion.text}"
 
     @cached_property
     def _held(self) -> HeldFreedoms:
-        return HeldFreedoms(self._system)
+        return HeldFreedoms(self._freedom)
 
-    def _doing_too_little(self, wasted: Wasted) -> str:
-        """Actuators that hold fewer freedoms than they are, in words."""
-        names = wasted.actuators
-        if len(names) == 1:
-            return (
-                f"actuator {names[0]} holds nothing: with it locked the platform moves "
-                f"as freely as before"
-            )
-        if len(names) == 2:
-            left = self._motion_type(names)
-            return (
-                f"actuators {listed(names)} hold the same freedom: with one or both "
-                f"locked the platform keeps {left}"
-            )
-        held = counted(wasted.held, "freedom")
-        return f"actuators {listed(names)} together hold {held} only"
+    def _freedom(self, locked: Collection[str]) -> int:
+        """What the platform keeps in general with these joints locked."""
+        passive = [joint for joint in self._system.joints if joint not in locked]
+        return self._system.generic_state(passive).platform_freedom
 
     def _motion_type(self, locked: Collection[str]) -> str:
         """The type of the platform's motion with these joints locked."""
@@ -88,8 +77,7 @@ class Witnesses:
         }
         if len(types) == 1:
             return types.pop()
-        freedom = self._system.generic_state(passive).platform_freedom
-        return f"the same {counted(freedom, 'freedom')}"
+        return f"the same {counted(self._freedom(locked), 'freedom')}"
 
     def _platform(
         self, passive: Collection[str], at_point: ExactTwists

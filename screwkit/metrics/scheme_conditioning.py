@@ -36,31 +36,39 @@ class Driving:
     idle: Array
 
 
+@dataclass(frozen=True, eq=False)
+class Incidence:
+    """Which freedoms are in which loop, and on the way to the platform.
+
+    Attributes:
+        loops: 1 or -1 by the direction in which a loop passes the freedom, 0 where it
+            does not; shape (loops, freedoms).
+        way: The same of a way from the base to the platform, shape (freedoms,).
+    """
+
+    loops: Array
+    way: Array
+
+
 def driving(
-    twists: Array, limbs: Sequence[Sequence[int]], mobility: int, freedom: int
+    twists: Array, incidence: Incidence, mobility: int, freedom: int
 ) -> Driving:
-    """The motions of limbs between base and platform.
+    """The motions of a mechanism and its platform.
 
     Args:
         twists: Without units, shape (postures, freedoms, 6).
-        limbs: Positions of each limb's freedoms.
+        incidence: What closes and what carries the platform.
         mobility: Dimension of the motions, exact.
         freedom: Dimension of the platform's twists, exact.
     """
     postures, count = twists.shape[:2]
-    loops = np.zeros((postures, 6 * (len(limbs) - 1), count))
-    first = list(limbs[0])
-    columns = twists.swapaxes(1, 2)
-    for number, limb in enumerate(limbs[1:]):
-        rows = slice(6 * number, 6 * number + 6)
-        loops[:, rows, first] = columns[:, :, first]
-        loops[:, rows, list(limb)] = -columns[:, :, list(limb)]
-    if loops.shape[1]:
-        _, _, right = np.linalg.svd(loops)
+    if len(incidence.loops):
+        signed = incidence.loops[None, :, None, :] * twists.swapaxes(1, 2)[:, None]
+        _, _, right = np.linalg.svd(signed.reshape(postures, -1, count))
         motions = right[:, count - mobility :].swapaxes(1, 2)
     else:
         motions = np.broadcast_to(np.eye(count), (postures, count, count))
-    moved = columns[:, :, first] @ motions[:, first]
+    moved = (twists * incidence.way[:, None]).swapaxes(1, 2) @ motions
     _, sizes, right = np.linalg.svd(moved)
     back = right.swapaxes(1, 2)
     with np.errstate(divide="ignore", invalid="ignore"):

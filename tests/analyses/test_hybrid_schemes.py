@@ -13,7 +13,6 @@ import screwkit as sk
 from screwkit.errors import UndecidedError
 from screwkit.questions import schemes, singularities
 from screwkit.results.schemes import Scheme, Schemes
-from screwkit.results.undecided import Undecided
 
 NAME = "orthoglide"
 
@@ -68,8 +67,5 @@ def test_two_joints_of_a_parallelogram_hold_the_same() -> None:
 
 def test_what_is_not_answered_is_said() -> None:
     case = sk.load(NAME)
-    found = schemes(case, candidates=["P1", "P2", "P3"], rank=2)
-    assert isinstance(found.ranking, Undecided)
-    assert "loops inside" in found.ranking.reason
     with pytest.raises(UndecidedError, match="no certificate can be written yet"):
         singularities(case, certificate=True)
