@@ -69,6 +69,11 @@ class Closing:
         """Σ dᵢ − rank; the family is proved smooth where it is 0."""
         return sum(self.dimensions) - self.graph.rank
 
+    @property
+    def identical(self) -> bool:
+        """Whether all loops close identically: any parameters give a posture."""
+        return not any(self.dimensions) and not self.virtual
+
 
 class _Search:
     """The search in one family; the groups of loops are computed once.
