@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from finite.frames import FRAMES, Frame
-from finite.linkages import Vector, ball, flat_ring, hinge, network, slider
+from finite.frames import FRAMES, Frame, Given
+from finite.linkages import ball, flat_ring, hinge, network, slider
 
 from screwkit.analyses import full_cycle
 from screwkit.analyses.mobility import mobility
@@ -115,15 +115,19 @@ def test_what_is_proved_is_not_sampled(monkeypatch: pytest.MonkeyPatch) -> None:
     assert mobility(flat).full_cycle.mobility == (0,)
 
 
-def test_legs_in_parallel_planes_keep_their_platform_to_planar_motion() -> None:
+@pytest.mark.parametrize("frame", FRAMES)
+def test_legs_in_parallel_planes_keep_their_platform_to_planar_motion(
+    frame: Frame,
+) -> None:
     """Three balls stay in planes y = const: a platform of any attitude with these.
 
     Its y-direction u obeys u·(B − A) and u·(C − A) as at the start, so that u = j or
     the image of j in the plane of the balls, which holds j: they are the same.  The
     platform turns about j alone, beside two translations, though it may turn about an
-    axis in its plane at first order.
+    axis in its plane at first order.  The balls turn about j, which is no axis of the
+    base frame in most frames.
     """
-    legs: list[tuple[str, Vector, Vector, Vector]] = [
+    legs: list[tuple[str, Given, Given, Given]] = [
         ("A", (4, 0, 0), (-1, 0, 6), (3, 0, 6)),
         ("B", (-4, 1, 0), (1, 0, 6), (-3, 1, 6)),
         ("C", (0, 5, 0), (1, 0, 6), (1, 5, 6)),
@@ -131,9 +135,15 @@ def test_legs_in_parallel_planes_keep_their_platform_to_planar_motion() -> None:
     joints = []
     for name, foot, along, top in legs:
         joints += [
-            hinge(f"R{name}", "base", f"low{name}", foot, (0, 1, 0)),
-            slider(f"P{name}", f"low{name}", f"high{name}", along),
-            ball(f"S{name}", f"high{name}", "top", top),
+            hinge(
+                f"R{name}",
+                "base",
+                f"low{name}",
+                frame.point(foot),
+                frame.direction((0, 1, 0)),
+            ),
+            slider(f"P{name}", f"low{name}", f"high{name}", frame.direction(along)),
+            ball(f"S{name}", f"high{name}", "top", frame.point(top)),
         ]
     robot = network(*joints, platform="top")
     assert robot.motion.mobility == 4
