@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from screwkit.finite.finite_branches import TURNING, FiniteBranch, kind_of
 from screwkit.finite.finite_motion import FiniteMotion
 from screwkit.finite.finite_proofs import (
     Proof,
@@ -45,18 +46,75 @@ def full_cycle(
     proof = proved_mobility(network, at)
     if proof is not None and known is not None and _as_proved(known, at, kind):
         return FullCycle("proved", proof.mobility, proof.reason, known.branches), None
+    if proof is not None and proof.mobility == (0,):
+        return FullCycle("proved", proof.mobility, _proved(network, at, proof)), None
+    exact = _exact_branch(network, at, proof) if proof else None
+    if proof and exact and not _wants_samples(network, proof):
+        told = _proved(network, at, proof)
+        return FullCycle("proved", proof.mobility, told, (exact,)), None
     sample = sampled_motion(at, generic=bool(mechanism.parameters))
     if proof is None:
         return _bounded(cycle_of(network, sample), upper_bound(network, at)), sample
     branches = _branches(network, sample)
     if {branch.mobility for branch in branches} - set(proof.mobility):
         branches = ()  # a sample that went elsewhere proves nothing
-    notes = [proof.reason, _what_rounding_hides(network, at, proof)]
-    settled = branches or proof.mobility in {(at.mobility,), (0,)}
-    if not settled:
+    if exact is not None:
+        branches = _those_like(exact, branches)
+    notes = [_proved(network, at, proof)]
+    if not branches and proof.mobility != (at.mobility,):
         notes.append(f"how the platform moves meanwhile is open: {sample.reason}")
-    reason = "; ".join(filter(None, notes))
-    return FullCycle("proved", proof.mobility, reason, branches), sample
+    return FullCycle("proved", proof.mobility, "; ".join(notes), branches), sample
+
+
+def _proved(network: Network, at: Motion, proof: Proof) -> str:
+    """The argument, and what rounding may hide from it."""
+    hidden = _what_rounding_hides(network, at, proof)
+    return "; ".join(filter(None, (proof.reason, hidden)))
+
+
+def _exact_branch(network: Network, at: Motion, proof: Proof) -> MotionBranch | None:
+    """The one branch of a proof that says how the platform moves; None if it does not.
+
+    Words stay empty where residues do not tell them.
+    """
+    found = proof.motion
+    if found is None:
+        return None
+    loop_rank = len(network.labels) - len(at.locked) - found.mobility
+    branch = FiniteBranch(
+        mobility=proof.mobility[0],
+        instantaneous_mobility=found.mobility,
+        loop_rank=loop_rank,
+        redundant_constraints=len(network.rows) * len(network.loops) - loop_rank,
+        twist_dimension=found.twists[0],
+        motion_type=kind_of(found.twists),
+        finite_type=kind_of(found.along),
+        couples=3 - found.twists[1],
+        motion=found.words or "",
+        starts=0,
+    )
+    return _reported(network, branch)
+
+
+def _wants_samples(network: Network, proof: Proof) -> bool:
+    """Whether more is asked for: postures, points on straight lines, a pitch."""
+    found = proof.motion
+    if network.tied or found is None or found.words is None:
+        return True
+    return proof.mobility == (1,) and found.words in TURNING
+
+
+def _those_like(
+    exact: MotionBranch, sampled: tuple[MotionBranch, ...]
+) -> tuple[MotionBranch, ...]:
+    """Of the samples those on the one branch there is, without what they err in."""
+    keys = [
+        (branch.loop_rank, branch.motion_type, branch.finite_type)
+        for branch in (exact, *sampled)
+    ]
+    alike = [b for b, key in zip(sampled, keys[1:], strict=True) if key == keys[0]]
+    most = max(alike, key=lambda branch: branch.starts, default=exact)
+    return (most,)
 
 
 def _what_rounding_hides(network: Network, at: Motion, proof: Proof) -> str:
@@ -127,22 +185,21 @@ def _in_plane(kind: str) -> str:
 def _branches(
     network: Network, sample: FiniteMotion | None
 ) -> tuple[MotionBranch, ...]:
-    if sample is None:
-        return ()
+    return tuple(_reported(network, b) for b in sample.branches) if sample else ()
+
+
+def _reported(network: Network, branch: FiniteBranch) -> MotionBranch:
     planar = len(network.rows) == 3
-    return tuple(
-        MotionBranch(
-            branch.mobility,
-            branch.instantaneous_mobility,
-            branch.loop_rank,
-            len(network.rows) * len(network.loops) - branch.loop_rank,
-            _in_plane(branch.motion_type) if planar else branch.motion_type,
-            max(branch.couples - OUT_OF_PLANE, 0) if planar else branch.couples,
-            branch.motion,
-            branch.starts,
-            branch.modes,
-            _in_plane(branch.finite_type) if planar else branch.finite_type,
-            branch.straight,
-        )
-        for branch in sample.branches
+    return MotionBranch(
+        branch.mobility,
+        branch.instantaneous_mobility,
+        branch.loop_rank,
+        len(network.rows) * len(network.loops) - branch.loop_rank,
+        _in_plane(branch.motion_type) if planar else branch.motion_type,
+        max(branch.couples - OUT_OF_PLANE, 0) if planar else branch.couples,
+        branch.motion,
+        branch.starts,
+        branch.modes,
+        _in_plane(branch.finite_type) if planar else branch.finite_type,
+        branch.straight,
     )

@@ -24,7 +24,7 @@ from screwkit.finite.chain_graph import (
     independent_cycles,
     with_parameters,
 )
-from screwkit.finite.higher_order import continuation, fails_at_once
+from screwkit.finite.higher_order import continuation, fails_at_once, fails_early
 from screwkit.finite.lie_closure import (
     ResidueScrew,
     Span,
@@ -69,6 +69,11 @@ class Closing:
         """Σ dᵢ − rank; the family is proved smooth where it is 0."""
         return sum(self.dimensions) - self.graph.rank
 
+    @property
+    def identical(self) -> bool:
+        """Whether all loops close identically: any parameters give a posture."""
+        return not any(self.dimensions) and not self.virtual
+
 
 class _Search:
     """The search in one family; the groups of loops are computed once.
@@ -86,10 +91,24 @@ class _Search:
         self._twists = graph.body_twists()
         self._dimensions: dict[tuple[str, ...], int] = {}
         self._systems: dict[tuple[str, str], Sequence[ResidueScrew] | None] = {}
+        self._alone: dict[tuple[str, ...], tuple[ChainGraph, int]] = {}
         self._followed: dict[tuple[str, ...], int] = {}
 
     def best(self) -> Closing:
         """Virtual joints are added as long as one makes loops close in less."""
+        found = self._best()
+        while not found.deficit and not self._confirmed(found):
+            found = self._best()
+        return self._told(found)
+
+    def plain(self) -> Closing:
+        """Without virtual joints: all postures."""
+        found = self._closing(())
+        while not self._confirmed(found):
+            found = self._closing(())
+        return self._told(found)
+
+    def _best(self) -> Closing:
         best = self._closing(())
         pair = tuple(body for body in self.ends if body in self._twists)
         if best.deficit and len(pair) == 2 and self._system(pair[0], pair[1]):
@@ -103,10 +122,6 @@ class _Search:
             best = self._closing((*best.virtual, found))
         return best
 
-    def plain(self) -> Closing:
-        """Without virtual joints: all postures."""
-        return self._closing(())
-
     def _closing(self, virtual: tuple[tuple[str, str], ...]) -> Closing:
         """The loops with the smallest groups, some virtual joints added."""
         graph = self.graph
@@ -116,9 +131,32 @@ class _Search:
         ordered = sorted(cycles, key=lambda c: (self._dimension(graph, c), len(c)))
         basis = independent_cycles(graph, ordered, len(graph.fundamental_cycles))
         dimensions = tuple(self._dimension(graph, c) for c in basis)
-        orders = (self._followed.get(_names(graph, cycle)) for cycle in basis)
+        return Closing(graph, tuple(basis), dimensions, virtual)
+
+    def _confirmed(self, closing: Closing) -> bool:
+        """Whether the loops counted with their rank close for good.
+
+        They were followed through the first orders alone, and are far enough only where
+        it matters; those that fail count with their group from then on.
+        """
+        for cycle in closing.basis:
+            key = _names(closing.graph, cycle)
+            if key in self._alone and key not in self._followed:
+                alone, dimension = self._alone[key]
+                found = continuation(alone)
+                if found.fails_at is not None or not found.identical:
+                    del self._alone[key]
+                    self._dimensions[key] = dimension
+                    return False
+                self._followed[key] = found.checked
+        return True
+
+    def _told(self, closing: Closing) -> Closing:
+        """With the orders through which loops of the basis were followed."""
+        keys = (_names(closing.graph, cycle) for cycle in closing.basis)
+        orders = (self._followed.get(key) for key in keys if key in self._alone)
         followed = tuple(order for order in orders if order is not None)
-        return Closing(graph, tuple(basis), dimensions, virtual, followed=followed)
+        return replace(closing, followed=followed)
 
     def _split(self, closing: Closing) -> tuple[str, str] | None:
         """The two bodies of a loop whose virtual joint saves most equations.
@@ -164,11 +202,9 @@ class _Search:
         alone = with_parameters((graph.edges[n] for n, _ in cycle), graph.prime)
         if not alone.mobility or not alone.width == len(word) <= LONGEST:
             return
-        if alone.rank < self._dimensions[key]:
-            found = continuation(alone)
-            if found.fails_at is None and found.identical:
-                self._dimensions[key] = alone.rank
-                self._followed[key] = found.checked
+        if alone.rank < self._dimensions[key] and not fails_early(alone):
+            self._alone[key] = alone, self._dimensions[key]
+            self._dimensions[key] = alone.rank
 
     def _system(self, one: str, other: str) -> Sequence[ResidueScrew] | None:
         """Relative twists of two bodies, where they are an algebra below se(3)."""

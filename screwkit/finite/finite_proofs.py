@@ -12,10 +12,11 @@ References: [Herve1999], [RicoRavani2003], [ConnellyWhiteley1996].
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from screwkit.finite.chain_graph import INNER, ChainGraph, chain_graph
 from screwkit.finite.closing_groups import Closing, smooth_family
+from screwkit.finite.family_motion import FamilyMotion, family_motion
 from screwkit.finite.idle_freedoms import idle_freedoms
 from screwkit.finite.order_proofs import (
     IDENTICAL,
@@ -25,6 +26,7 @@ from screwkit.finite.order_proofs import (
     proved_by_order,
     smooth,
 )
+from screwkit.finite.tied_families import subfamily
 from screwkit.kinematics.network import Motion, Network, motion
 
 
@@ -36,10 +38,13 @@ class Proof:
         mobility: Of the branches through the posture, ascending; one where the closed
             postures around it are a manifold.
         reason: The argument as a sentence without capital and full stop.
+        motion: How the platform moves, where all closed postures around form one family
+            in which it is exact.
     """
 
     mobility: tuple[int, ...]
     reason: str
+    motion: FamilyMotion | None = None
 
 
 @dataclass(frozen=True)
@@ -72,7 +77,8 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
     equations = len(network.rows)
     whole = _of_first_order(graph, equations)
     if whole is not None:
-        return Proof((whole.mobility,), whole.reason)
+        moved = None if graph.rank else _motion(at, graph, [], [], ())
+        return Proof((whole.mobility,), whole.reason, moved)
     idle = idle_freedoms(at)
     graph, other_graph = chain_graph(at, idle), chain_graph(twin, idle)
     blocks = tuple(block for block in graph.blocks() if block.width)
@@ -81,6 +87,7 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
     dimension = free + len(idle)
     postures = at.posture, twin.posture
     reasons: dict[str, int] = {}
+    proofs: list[Proved] = []
     for block, other in zip(blocks, others, strict=True):
         proof = _of_first_order(block, equations)
         if proof is None and not _has_contact(network, block):
@@ -90,6 +97,7 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
         if proof is None:
             return None
         dimension += proof.mobility
+        proofs.append(proof)
         reasons[proof.reason] = reasons.get(proof.reason, 0) + 1
     partial = len(blocks) > 1 or free > 0 or bool(idle)
     arguments = {of_a_part(r) if partial else r: n for r, n in reasons.items()}
@@ -106,7 +114,34 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
         apart.append(f"the idle freedom of bodies between two joints ({len(idle)})")
     if apart:
         told = f"apart from {_listed(apart)}, {told}"
-    return Proof((dimension,), told)
+    return Proof((dimension,), told, _motion(at, graph, blocks, proofs, idle))
+
+
+def _motion(
+    at: Motion,
+    graph: ChainGraph,
+    blocks: Sequence[ChainGraph],
+    proofs: Sequence[Proved],
+    idle: tuple[str, ...],
+) -> FamilyMotion | None:
+    """The platform's motion, where the families of all blocks are known and whole."""
+    network = at.network
+    base, platform = network.mechanism.base, network.mechanism.platform
+    ends = {base, platform}
+    if network.contact_labels or len(ends) == 1:
+        return None
+    if idle != idle_freedoms(at, ends):
+        return None  # what spins is one of the two bodies themselves
+    families = []
+    for block, proof in zip(blocks, proofs, strict=True):
+        if not proof.mobility:
+            families.append(subfamily(block, (), frozenset(range(block.width))))
+        elif proof.whole and proof.closing and proof.closing.identical:
+            families.append(proof.closing.graph)
+        else:
+            return None
+    found = family_motion(graph, families, base, platform)
+    return found and replace(found, mobility=found.mobility + len(idle))
 
 
 def upper_bound(network: Network, at: Motion) -> UpperBound | None:
@@ -169,7 +204,9 @@ def _of_family(block: ChainGraph, ends: Sequence[str]) -> Proved | None:
     closing = smooth_family(block, ends)
     if closing is None:
         return None
-    return Proved(block.mobility, _in_words(closing, block.mobility))
+    return Proved(
+        block.mobility, _in_words(closing, block.mobility), closing, whole=True
+    )
 
 
 def _has_contact(network: Network, block: ChainGraph) -> bool:
@@ -213,7 +250,8 @@ def _in_words(closing: Closing, mobility: int) -> str:
         said.append(f"{rest} closes in a group of dimension {groups[0]}")
     if groups:
         total = sum(closing.dimensions)
-        said.append(f"where their {total} equations are independent")
+        whose = "their" if len(groups) > 1 else "its"
+        said.append(f"where {whose} {total} equations are independent")
     return f"{', '.join(said)}, {smooth(mobility)}"
 
 

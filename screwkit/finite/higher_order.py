@@ -65,6 +65,15 @@ def continuation(graph: ChainGraph) -> Continuation:
     return Continuation(along.order_of_failure(highest), highest, identical)
 
 
+def fails_early(graph: ChainGraph) -> bool:
+    """Whether a generic motion fails at one of the first orders, or is not decided."""
+    along = curve(graph)
+    bound = along.bound()
+    if bound is None or bound > LONGEST_SERIES:
+        return True
+    return along.order_of_failure(min(bound, FIRST_ORDERS)) is not None
+
+
 def fails_at_once(graph: ChainGraph) -> bool:
     """Whether a generic motion of the first order fails in the second."""
     return graph.mobility > 0 and curve(graph).order_of_failure(2) is not None

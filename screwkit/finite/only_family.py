@@ -19,9 +19,8 @@ equations beyond the rank).
 
 from __future__ import annotations
 
-import random
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 from screwkit.algebra.modular import annihilator
 from screwkit.finite.chain_graph import ChainGraph
@@ -30,18 +29,33 @@ from screwkit.finite.closing_groups import (
     all_postures,
     smooth_subfamilies,
 )
-from screwkit.finite.higher_order import Form
-from screwkit.finite.lie_closure import (
-    UNMOVED,
-    Displacement,
-    carried,
-    composed,
-    random_step,
+from screwkit.finite.family_posture import (
+    displacements,
+    moved_graph,
+    random_values,
 )
+from screwkit.finite.higher_order import Form
 
 
-def only_family(block: ChainGraph, forms: Sequence[Form], bound: int) -> str | None:
-    """How it is proved that all branches of a block have one dimension; None if not.
+@dataclass(frozen=True)
+class OnlyFamily:
+    """A family of closed postures of the dimension that no branch exceeds.
+
+    Attributes:
+        closing: The family.
+        reason: The argument as a sentence without capital and full stop.
+        whole: Whether there are no other postures around.
+    """
+
+    closing: Closing
+    reason: str
+    whole: bool
+
+
+def only_family(
+    block: ChainGraph, forms: Sequence[Form], bound: int
+) -> OnlyFamily | None:
+    """The family that proves all branches to have one dimension; None without one.
 
     Args:
         block: Of the mechanism, modulo a prime.
@@ -51,25 +65,30 @@ def only_family(block: ChainGraph, forms: Sequence[Form], bound: int) -> str | N
     rates = _without_second_order(block, forms)
     if not bound or len(rates) != bound:
         return None
-    families = tuple(smooth_subfamilies(block, rates))
-    if not families:
-        return None
+    first: Closing | None = None
     there = (
         f"second order leaves {bound} of the {block.mobility} dimensions of the joint "
         f"rates, and a smooth family of dimension {bound} keeps the loops closed"
     )
-    if any(_rank_on(block, family) == block.rank for family in families):
-        return (
-            f"{there}; the rank stays the same on it, so that no other postures are "
-            f"around"
-        )
+    for family in smooth_subfamilies(block, rates):
+        if _rank_on(block, family) == block.rank:
+            told = (
+                f"{there}; the rank stays the same on it, so that no other postures "
+                f"are around"
+            )
+            return OnlyFamily(family, told, whole=True)
+        first = first or family
+    if first is None:
+        return None
     if bound == 1:
-        return f"{there}: no motion through the posture has more dimensions"
+        told = f"{there}: no motion through the posture has more dimensions"
+        return OnlyFamily(first, told, whole=False)
     if block.mobility == bound + 1 and all_postures(block).deficit == 1:
-        return (
+        told = (
             f"{there}; beyond first order one equation is left, which vanishes on it: "
             f"every branch through this posture has dimension {bound}"
         )
+        return OnlyFamily(first, told, whole=False)
     return None
 
 
@@ -92,39 +111,8 @@ def _without_second_order(
 
 def _rank_on(block: ChainGraph, closing: Closing) -> int | None:
     """The rank at a random posture of a family whose loops all close identically."""
-    if any(closing.dimensions) or closing.virtual:
+    if not closing.identical:
         return None
-    family, prime = closing.graph, block.prime
-    source = random.Random(family.width)
-    values = [
-        (source.randrange(1, prime), source.randrange(prime))
-        for _ in range(family.width)
-    ]
-    moved = dict(_displacements(family, values))
-    edges = tuple(
-        replace(edge, screw=carried(moved[edge.tail], edge.screw, prime))
-        if edge.screw
-        else edge
-        for edge in block.edges
-    )
-    return ChainGraph(edges, block.width, prime, block.loops).rank
-
-
-def _displacements(
-    family: ChainGraph, values: Sequence[tuple[int, int]]
-) -> Mapping[str, Displacement]:
-    """Where every body goes from the first of its component."""
-    found: dict[str, Displacement] = {}
-    for body, path in family.paths.items():
-        if not path:
-            found[body] = UNMOVED
-            continue
-        number, sign = path[-1]
-        edge = family.edges[number]
-        here = found[edge.tail if sign > 0 else edge.head]
-        if edge.screw:
-            screw = tuple(sign * x for x in edge.screw)
-            step = random_step(screw, *values[edge.parameter], family.prime)
-            here = composed(here, step, family.prime)
-        found[body] = here
-    return found
+    family = closing.graph
+    places = displacements(family, random_values(family))
+    return moved_graph(block, places).rank

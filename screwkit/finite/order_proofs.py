@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from screwkit.finite.chain_graph import ChainGraph
-from screwkit.finite.closing_groups import all_postures, smooth_family
+from screwkit.finite.closing_groups import Closing, all_postures, smooth_family
 from screwkit.finite.higher_order import (
     cone_dimension,
     continuation,
@@ -45,10 +45,19 @@ IDENTICAL = (
 
 @dataclass(frozen=True)
 class Proved:
-    """The finite mobility of a block, with the argument."""
+    """The finite mobility of a block, with the argument.
+
+    Attributes:
+        mobility: Of all branches.
+        reason: The argument as a sentence without capital and full stop.
+        closing: A family of postures of that dimension, where one is known.
+        whole: Whether that family is all there is around the posture.
+    """
 
     mobility: int
     reason: str
+    closing: Closing | None = None
+    whole: bool = False
 
 
 _ALL = "so all postures around it form a smooth family"
@@ -107,9 +116,9 @@ def proved_by_order(
             f"{block.mobility}-dimensional joint rates, and one of them is finite: "
             f"with some joints held the postures form a smooth family of dimension 1",
         )
-    told = only_family(block, forms, bound) if bound < block.mobility else None
-    if told is not None:
-        return Proved(bound, told)
+    only = only_family(block, forms, bound) if bound < block.mobility else None
+    if only is not None:
+        return Proved(bound, only.reason, only.closing, only.whole)
     twins = second_order_forms(blocks[1])
     real = real_forms(postures, (forms, twins)) if forms else None
     return None if real is None else _of_real_forms(block, real)

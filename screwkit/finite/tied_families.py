@@ -2,7 +2,8 @@
 
 Joints whose rates are equal or opposite in every motion at a posture may stay so for
 good, as in parallelograms; joints without any rate may stay at rest.  A subfamily keeps
-them so, which makes loops close in smaller groups and gives up no rate.
+them so, which makes loops close in smaller groups and gives up no rate.  Balls have no
+axes of their own: they are tried with those of the base frame and with adapted ones.
 
 References: [Herve1999] (parallelograms as generators of translation).
 """
@@ -12,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from screwkit.finite.adapted_joints import adapted
 from screwkit.finite.chain_graph import ChainGraph, with_parameters
 from screwkit.finite.lie_closure import ResidueScrew, loop_algebra
 
@@ -30,11 +32,20 @@ def subfamilies(
         rates: The rates that a subfamily shall keep; all that close the loops if none
             are given.
     """
-    kept = graph.rates if rates is None else rates
+    yield from _with_ties(graph, graph.rates if rates is None else rates)
+    other = adapted(graph, graph.rates if rates is None else rates)
+    if other is not None:
+        yield from _with_ties(*other, plain=False)
+
+
+def _with_ties(
+    graph: ChainGraph, kept: Sequence[Mapping[int, int]], *, plain: bool = True
+) -> Iterator[tuple[ChainGraph, bool, bool]]:
+    """The subfamilies for the joints' screws as they are, with the graph if plain."""
     groups = _tied_groups(graph, kept)
     still = frozenset(range(graph.width)) - {p for r in kept for p in r}
     closing = _ties_that_close(graph, groups)
-    seen = set()
+    seen: set[tuple[object, ...]] = set() if plain else {((), frozenset())}
     for ties in (groups[:0], closing, groups):
         for held in (frozenset[int](), still):
             key = (tuple(sorted(map(tuple, ties))), held)

@@ -64,7 +64,7 @@ class MotionBranch:
             alone never tells the truth; empty where they are not known.
         couples: Pure couples among the platform's constraint wrenches there.
         motion: The finite motion of the platform in words; may be empty.
-        starts: How many of the samples fell on it.
+        starts: How many of the samples fell on it; 0 where none were needed.
         modes: How many branches look like this one from outside but differ in the
             joints that move.
         straight: Joints of the platform that run along a straight line though it turns.

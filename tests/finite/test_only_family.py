@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from finite.linkages import Vector, ball, hinge, network, slider
+from finite.frames import FRAMES, Frame, Given
+from finite.linkages import ball, flat_ring, hinge, network, slider
 
+from screwkit.analyses import full_cycle
 from screwkit.analyses.mobility import mobility
 from screwkit.finite.finite_proofs import proved_mobility
 from screwkit.kinematics.network import Network
@@ -13,14 +15,16 @@ FEET = [(0, 0, 0), (3, 0, 0), (4, 2, 1), (2, 5, 0), (-1, 3, 2)]
 
 
 def plate_on_rods(
-    feet: list[tuple[int, int, int]], rod: tuple[int, int, int]
+    feet: list[tuple[int, int, int]],
+    rod: tuple[int, int, int],
+    frame: Frame = FRAMES[0],
 ) -> Network:
     joints = []
     for k, foot in enumerate(feet):
         head = tuple(p + q for p, q in zip(foot, rod, strict=True))
         joints += [
-            ball(f"S{k}", "base", f"rod{k}", foot),
-            ball(f"T{k}", f"rod{k}", "plate", head),
+            ball(f"S{k}", "base", f"rod{k}", frame.point(foot)),
+            ball(f"T{k}", f"rod{k}", "plate", frame.point(head)),
         ]
     return network(*joints, platform="plate")
 
@@ -44,22 +48,86 @@ def test_a_plate_on_equal_parallel_rods_only_translates(
     assert "the rank stays the same" in proof.reason
 
 
-def test_a_doubtful_tangent_makes_no_second_branch() -> None:
-    found = mobility(plate_on_rods(FEET, (1, 2, 4)))
+@pytest.mark.parametrize("frame", FRAMES)
+@pytest.mark.parametrize("feet", [FEET[:4], FEET])
+def test_such_a_plate_moves_on_a_sphere_in_every_frame(
+    feet: list[tuple[int, int, int]], frame: Frame
+) -> None:
+    """All rods stay parallel, so that the plate is shifted by their two rotations."""
+    found = mobility(plate_on_rods(feet, (1, 2, 4), frame))
     assert found.full_cycle.status == "proved"
-    assert len(found.full_cycle.branches) == 1
     assert found.platform.finite_motion_types == ("2T0R",)
+    (branch,) = found.full_cycle.branches
+    assert (branch.motion_type, branch.finite_type) == ("2T1R", "2T0R")
+    assert branch.motion == "pure translation"
+    assert branch.instantaneous_mobility == len(feet) + 3
 
 
-def test_legs_in_parallel_planes_keep_their_platform_to_planar_motion() -> None:
+@pytest.mark.parametrize("frame", FRAMES)
+def test_stages_of_parallel_rods_translate_together(frame: Frame) -> None:
+    """Two spheres' worth of shifts in a row: all three translations."""
+    upper = [(0, 0, 9), (2, 1, 7), (1, 4, 8), (-3, 1, 8)]
+    joints = []
+    for name, feet, rod, ends in (
+        ("a", FEET[:4], (1, 2, 4), ("base", "middle")),
+        ("b", upper, (-2, 1, 4), ("middle", "top")),
+    ):
+        for k, foot in enumerate(feet):
+            head = [p + q for p, q in zip(foot, rod, strict=True)]
+            joints += [
+                ball(f"S{name}{k}", ends[0], f"{name}{k}", frame.point(foot)),
+                ball(f"T{name}{k}", f"{name}{k}", ends[1], frame.point(head)),
+            ]
+    found = mobility(network(*joints, platform="top"))
+    assert found.full_cycle.status == "proved"
+    assert found.full_cycle.mobility == (8 + 4,)
+    assert found.platform.finite_motion_types == ("3T0R",)
+
+
+@pytest.mark.parametrize("frame", FRAMES)
+def test_equal_bars_carry_a_plate_on_circles(frame: Frame) -> None:
+    joints = []
+    for k, (x, y) in enumerate([(0, 0), (3, 0), (5, 1)]):
+        foot, head = frame.point((x, y, 0)), frame.point((x + 1, y + 2, 0))
+        axis = frame.direction((0, 0, 1))
+        joints += [
+            hinge(f"f{k}", "ground", f"bar{k}", foot, axis),
+            hinge(f"h{k}", f"bar{k}", "plate", head, axis),
+        ]
+    found = mobility(network(*joints, platform="plate"))
+    assert found.full_cycle.status == "proved"
+    assert found.platform.finite_motion_types == ("1T0R",)
+    (branch,) = found.full_cycle.branches
+    assert branch.motion == "pure translation in a plane"
+
+
+def test_what_is_proved_is_not_sampled(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A plate on rods, and a triangle of bars that is flat."""
+
+    def refuse(*_: object, **__: object) -> object:
+        raise AssertionError
+
+    monkeypatch.setattr(full_cycle, "sampled_motion", refuse)
+    plate = mobility(plate_on_rods(FEET[:4], (1, 2, 4)))
+    assert plate.platform.finite_motion_types == ("2T0R",)
+    flat = flat_ring((0, 0), (1, 0), (3, 0))
+    assert flat.motion.mobility == 1
+    assert mobility(flat).full_cycle.mobility == (0,)
+
+
+@pytest.mark.parametrize("frame", FRAMES)
+def test_legs_in_parallel_planes_keep_their_platform_to_planar_motion(
+    frame: Frame,
+) -> None:
     """Three balls stay in planes y = const: a platform of any attitude with these.
 
     Its y-direction u obeys u·(B − A) and u·(C − A) as at the start, so that u = j or
     the image of j in the plane of the balls, which holds j: they are the same.  The
     platform turns about j alone, beside two translations, though it may turn about an
-    axis in its plane at first order.
+    axis in its plane at first order.  The balls turn about j, which is no axis of the
+    base frame in most frames.
     """
-    legs: list[tuple[str, Vector, Vector, Vector]] = [
+    legs: list[tuple[str, Given, Given, Given]] = [
         ("A", (4, 0, 0), (-1, 0, 6), (3, 0, 6)),
         ("B", (-4, 1, 0), (1, 0, 6), (-3, 1, 6)),
         ("C", (0, 5, 0), (1, 0, 6), (1, 5, 6)),
@@ -67,9 +135,15 @@ def test_legs_in_parallel_planes_keep_their_platform_to_planar_motion() -> None:
     joints = []
     for name, foot, along, top in legs:
         joints += [
-            hinge(f"R{name}", "base", f"low{name}", foot, (0, 1, 0)),
-            slider(f"P{name}", f"low{name}", f"high{name}", along),
-            ball(f"S{name}", f"high{name}", "top", top),
+            hinge(
+                f"R{name}",
+                "base",
+                f"low{name}",
+                frame.point(foot),
+                frame.direction((0, 1, 0)),
+            ),
+            slider(f"P{name}", f"low{name}", f"high{name}", frame.direction(along)),
+            ball(f"S{name}", f"high{name}", "top", frame.point(top)),
         ]
     robot = network(*joints, platform="top")
     assert robot.motion.mobility == 4
