@@ -13,11 +13,12 @@ from typing import Any
 
 from flint import arb, ctx
 
+from screwkit.algebra.remembered import remembered
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, as_fraction
 
 
 @dataclass(frozen=True)
-class _Range:
+class Range:
     """What is known of a number: sign (0 where unknown) and whether it can be 0.
 
     A sign of 1 without ``strict`` means ≥ 0.
@@ -26,15 +27,17 @@ class _Range:
     sign: int
     strict: bool
 
-    def times(self, other: _Range) -> _Range:
-        return _Range(self.sign * other.sign, self.strict and other.strict)
+    def times(self, other: Range) -> Range:
+        """What is known of a product."""
+        return Range(self.sign * other.sign, self.strict and other.strict)
 
-    def power(self, exponent: int) -> _Range:
-        return _Range(self.sign if exponent % 2 else 1, self.strict)
+    def power(self, exponent: int) -> Range:
+        """What is known of a power."""
+        return Range(self.sign if exponent % 2 else 1, self.strict)
 
 
-_UNKNOWN = _Range(0, False)
-_ONE = _Range(1, True)
+_UNKNOWN = Range(0, False)
+_ONE = Range(1, True)
 
 
 @dataclass(frozen=True)
@@ -56,18 +59,11 @@ class Assumptions:
             ring: Of the polynomial.
             polynomial: In normal form.
         """
-        if polynomial.is_constant():
-            return bool(polynomial != 0)
-        common = polynomial.term_content()
-        known = self._known(ring)
-        for generator, exponent in zip(known, common.monoms()[0], strict=True):
-            if exponent and not generator.strict:
-                return False
-        return self._range(ring, polynomial / common, known).strict
+        return _is_nonzero(ring, self, polynomial)
 
     def has_one_sign(self, ring: TrigonometricRing, polynomial: Polynomial) -> bool:
         """Whether no two terms of a polynomial can have different signs."""
-        return bool(self._range(ring, polynomial, self._known(ring)).sign)
+        return bool(self.range_of(ring, polynomial, self.of_generators(ring)).sign)
 
     def sign_of(self, ring: TrigonometricRing, polynomial: Polynomial) -> int | None:
         """1 or −1 where the polynomial has this sign everywhere, 0 for zero.
@@ -78,35 +74,35 @@ class Assumptions:
         if polynomial.is_constant():
             value = as_fraction(polynomial)
             return (value > 0) - (value < 0)
-        found = self._range(ring, polynomial, self._known(ring))
+        found = self.range_of(ring, polynomial, self.of_generators(ring))
         return found.sign if found.strict and found.sign else None
 
-    def _known(self, ring: TrigonometricRing) -> list[_Range]:
+    def of_generators(self, ring: TrigonometricRing) -> list[Range]:
         """What is known of each generator."""
         known = [_UNKNOWN] * len(ring.names)
         for place, name in zip(ring.symbol_indices(), ring.symbols, strict=True):
             if name in self.positive:
                 known[place] = _ONE
             elif name in self.nonzero:
-                known[place] = _Range(0, True)
-        for place, relation in ring.algebraic_relations():
+                known[place] = Range(0, True)
+        for place, relation in ring.algebraic_relations:
             if isinstance(relation, tuple):
                 known[place] = _ONE  # √p and 2cos(π/n) with n > 2
             else:
-                radicand = self._range(ring, relation, known)
-                known[place] = _Range(1, radicand.strict)
+                radicand = self.range_of(ring, relation, known)
+                known[place] = Range(1, radicand.strict)
         for place, extension in enumerate(ring.extensions):
             if extension.kind == "inverse":
-                known[place] = _Range(0, True)
+                known[place] = Range(0, True)
         return known
 
-    def _range(
-        self, ring: TrigonometricRing, polynomial: Polynomial, known: list[_Range]
-    ) -> _Range:
+    def range_of(
+        self, ring: TrigonometricRing, polynomial: Polynomial, known: list[Range]
+    ) -> Range:
         """What the terms say: all of one sign, and one of them not zero."""
-        total: _Range | None = None
+        total: Range | None = None
         for sign, monomial in _terms(ring, polynomial):
-            term = _Range(sign, True)
+            term = Range(sign, True)
             for generator, exponent in zip(known, monomial, strict=True):
                 if exponent:
                     term = term.times(generator.power(exponent))
@@ -115,8 +111,22 @@ class Assumptions:
             elif not term.sign or term.sign != total.sign:
                 return _UNKNOWN
             else:
-                total = _Range(total.sign, total.strict or term.strict)
+                total = Range(total.sign, total.strict or term.strict)
         return total or _UNKNOWN
+
+
+@remembered
+def _is_nonzero(
+    ring: TrigonometricRing, assumed: Assumptions, polynomial: Polynomial
+) -> bool:
+    if polynomial.is_constant():
+        return bool(polynomial != 0)
+    common = polynomial.term_content()
+    known = assumed.of_generators(ring)
+    for generator, exponent in zip(known, common.monoms()[0], strict=True):
+        if exponent and not generator.strict:
+            return False
+    return assumed.range_of(ring, polynomial / common, known).strict
 
 
 def _terms(
@@ -125,12 +135,13 @@ def _terms(
     """(sign of the coefficient, monomial), algebraic numbers in the coefficient."""
     first = len(ring.names) - len(ring.constant_generators)
     size = len(ring.constant_generators)
+    if not size:
+        signs = (1 if c > 0 else -1 for c in polynomial.coeffs())
+        return [*zip(signs, polynomial.monoms(), strict=True)]
     parts = [
         (tuple(map(int, e[:first])), tuple(map(int, e[first:])), c)
         for e, c in zip(polynomial.monoms(), polynomial.coeffs(), strict=True)
     ]
-    if not size:
-        return [(1 if c > 0 else -1, e) for e, _, c in parts]
     parts.sort(key=itemgetter(0, 1))
     return [
         (_sign([(k, c) for _, k, c in group], ring), monomial + (0,) * size)

@@ -13,10 +13,11 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
-from flint import fmpz, nmod_mat
+from flint import fmpz
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.elimination import half_angle_steps, steps_of
+from screwkit.algebra.modular import rank
 from screwkit.algebra.points import (
     Point,
     differential,
@@ -127,22 +128,20 @@ class Branch:
         They do where, at an exact point, their differentials have a lower rank by the
         posture alone than by the dimensions too.
         """
-        if not self.conditions or not self.points:
+        occurring = [condition.degrees() for condition in self.conditions]
+        if not any(degrees[i] for degrees in occurring for i in self.dimensions):
             return False
-        by_posture = self._independent(frozenset(self.dimensions))
+        if not self.points:
+            return False
+        point, prime = self.points[0]
+        rows = [differential(self.ring, c, point, prime) for c in self.conditions]
+        angles = len(self.ring.basis)
+        symbols = enumerate(self.ring.symbol_indices(), angles)
+        free = [*range(angles), *(k for k, i in symbols if i not in self.dimensions)]
+        by_posture = rank([[row[k] for k in free] for row in rows], prime)
         if by_posture == len(self.conditions):
             return False
-        return by_posture < self._independent(frozenset())
-
-    def _independent(self, fixed: frozenset[int]) -> int:
-        """How many conditions are independent to first order, some symbols fixed."""
-        point, prime = self.points[0]
-        rows = [
-            differential(self.ring, condition, point, prime, fixed)
-            for condition in self.conditions
-        ]
-        entries = [value for row in rows for value in row]
-        return int(nmod_mat(len(rows), len(rows[0]), entries, prime).rank())
+        return by_posture < rank(rows, prime)
 
     def column(self, entries: Sequence[Polynomial]) -> list[Polynomial]:
         """A vector on this branch, up to a common factor that is nowhere zero."""

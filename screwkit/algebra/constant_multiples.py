@@ -87,7 +87,7 @@ def _degrees(ring: TrigonometricRing) -> dict[int, int]:
     """The degree of each generator of the constant field, by its place."""
     return {
         place: len(polynomial) - 1
-        for place, polynomial in ring.algebraic_relations()
+        for place, polynomial in ring.algebraic_relations
         if isinstance(polynomial, tuple)
     }
 

@@ -344,12 +344,13 @@ def _still_open(
     """
     left = {str(q): q for p in polynomials if p != 0 for q in (primitive(p),)}
     if branch.pending and left:
-        points = [branch.point(search.source) for _ in range(3)]
-        if any(point is None for point in points):
+        another = branch.points and branch.point(search.source)
+        if not another:
             return None
+        points = [*branch.points, another]
         left = {
             key: p
             for key, p in left.items()
-            if any(residue(p, *point) for point in points if point is not None)
+            if any(residue(p, *point) for point in points)
         }
     return sorted(left.values(), key=len)

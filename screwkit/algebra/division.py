@@ -30,7 +30,7 @@ class Divisor:
         self._halves = halves
         self._ring = ring
         degrees = polynomial.degrees()
-        minimal = dict(ring.algebraic_relations())
+        minimal = dict(ring.algebraic_relations)
         roots = [i for i in layout.constants if degrees[i]]
         self._normed = all(len(minimal[i]) == 3 and minimal[i][1] == 0 for i in roots)
         sines = [s for s, _ in layout.angles if degrees[s]]

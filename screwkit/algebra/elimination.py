@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from weakref import WeakKeyDictionary
 
 from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.remembered import remembered
 from screwkit.algebra.substitution import (
     Substitution,
     angle_parts,
@@ -27,25 +27,12 @@ from screwkit.algebra.trigonometric import (
 
 Steps = list[Substitution]
 
-_SOLVED: WeakKeyDictionary[
-    TrigonometricRing, dict[tuple[str, Assumptions], Steps | None]
-] = WeakKeyDictionary()
 
-
+@remembered
 def steps_of(
     ring: TrigonometricRing, assumptions: Assumptions, condition: Polynomial
 ) -> Steps | None:
     """One substitution per sheet; empty without real zeros; None where not solved."""
-    known = _SOLVED.setdefault(ring, {})
-    key = str(condition), assumptions
-    if key not in known:
-        known[key] = _attempts(ring, assumptions, condition)
-    return known[key]
-
-
-def _attempts(
-    ring: TrigonometricRing, assumptions: Assumptions, condition: Polynomial
-) -> Steps | None:
     steps = _angle_steps(ring, condition)
     if steps is None:
         steps = _constant_angle_steps(ring, condition)

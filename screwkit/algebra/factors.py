@@ -12,9 +12,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import isqrt
+from weakref import WeakKeyDictionary
 
 from screwkit.algebra.factor_library import Factor, FactorLibrary
 from screwkit.algebra.half_angle import Form, HalfAngles
+from screwkit.algebra.remembered import LONGEST
 from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.trigonometric import (
     Polynomial,
@@ -63,6 +65,9 @@ class Factored:
         return total
 
 
+_FACTORED: WeakKeyDictionary[FactorLibrary, dict[str, Factored]] = WeakKeyDictionary()
+
+
 def factor(
     ring: TrigonometricRing,
     polynomial: Polynomial,
@@ -85,6 +90,18 @@ def factor(
     known = FactorLibrary(ring) if library is None else library
     if polynomial.is_constant():
         return Factored(as_fraction(polynomial), ())
+    if len(polynomial) > LONGEST:
+        return _factored(ring, polynomial, known)
+    results = _FACTORED.setdefault(known, {})
+    key = str(polynomial)
+    if key not in results:
+        results[key] = _factored(ring, polynomial, known)
+    return results[key]
+
+
+def _factored(
+    ring: TrigonometricRing, polynomial: Polynomial, known: FactorLibrary
+) -> Factored:
     found = known.factored(primitive(polynomial))
     if known.is_extended(polynomial):
         return _by_expansion(ring, polynomial, found)

@@ -42,7 +42,7 @@ class Root(NamedTuple):
 
 def square_roots(ring: TrigonometricRing) -> tuple[Root, ...]:
     """The algebraic numbers of a ring, if all are square roots of numbers."""
-    numbers = [(i, m) for i, m in ring.algebraic_relations() if isinstance(m, tuple)]
+    numbers = [(i, m) for i, m in ring.algebraic_relations if isinstance(m, tuple)]
     if any(len(minimal) != 3 or minimal[1] for _, minimal in numbers):
         return ()
     return tuple(Root(place, -minimal[0]) for place, minimal in numbers)

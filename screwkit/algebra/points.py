@@ -27,7 +27,10 @@ def residue(value: Polynomial, point: Sequence[int], prime: int = PRIME) -> int:
         constant = value.coeffs()[0]
     else:
         constant = value(*point)
-    return int(constant.p) * pow(int(constant.q), -1, prime) % prime
+    numerator, denominator = int(constant.p), int(constant.q)
+    if denominator == 1:
+        return numerator % prime
+    return numerator * pow(denominator, -1, prime) % prime
 
 
 def random_point(
@@ -47,14 +50,13 @@ def random_point(
 def _attempt(
     ring: TrigonometricRing, source: random.Random, prime: int
 ) -> Point | None:
-    index = {name: i for i, name in enumerate(ring.names)}
     point = [0] * len(ring.names)
-    for i in range(len(ring.basis)):
+    for angle in range(len(ring.basis)):
         cosine, sine = random_angle(source, prime)
-        point[index[f"c{i}"]], point[index[f"s{i}"]] = cosine, sine
-    for i in range(len(ring.symbols)):
-        point[index[f"x{i}"]] = source.randrange(1, prime)
-    for generator, inside in ring.algebraic_relations():
+        point[ring.cosine_index(angle)], point[ring.sine_index(angle)] = cosine, sine
+    for symbol in ring.symbol_indices():
+        point[symbol] = source.randrange(1, prime)
+    for generator, inside in ring.algebraic_relations:
         if isinstance(inside, tuple):
             roots = nmod_poly(list(inside), prime).roots()
             value = int(roots[0][0]) if roots else None
@@ -73,6 +75,8 @@ def with_inverses(
 
     Inner ones come first; 0 stands where the divisor vanishes.
     """
+    if not ring.divisors_of:
+        return list(point)
     place = {name: ring.names.index(name) for name in ring.divisors_of}
     found, open_ones = list(point), dict(ring.divisors_of)
     while open_ones:
@@ -94,7 +98,7 @@ def with_extensions(
     None where a root does not exist.
     """
     found = with_inverses(ring, point, prime)
-    for generator, inside in ring.algebraic_relations():
+    for generator, inside in ring.algebraic_relations:
         if isinstance(inside, tuple):
             continue
         value = residue(inside, found, prime)
@@ -141,26 +145,25 @@ def differential(
     value: Polynomial,
     point: Point,
     prime: int,
-    fixed: frozenset[int] | set[int] = frozenset(),
 ) -> list[int]:
-    """Derivatives at a point: by every basis angle, then by every symbol not fixed.
+    """Derivatives at a point: by every basis angle, then by every symbol.
 
     Args:
         ring: Of the polynomial.
         value: The polynomial.
         point: An exact point and its prime.
         prime: See ``point``.
-        fixed: Indices of generators that are held.
     """
+    degrees = value.degrees()
+
+    def by(index: int) -> int:
+        if not degrees[index]:
+            return 0
+        return residue(value.derivative(index), point, prime)
+
     row = []
     for angle in range(len(ring.basis)):
         sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)
-        by_sine = residue(value.derivative(sine), point, prime)
-        by_cosine = residue(value.derivative(cosine), point, prime)
-        row.append((by_sine * point[cosine] - by_cosine * point[sine]) % prime)
-    row += [
-        residue(value.derivative(index), point, prime)
-        for index in ring.symbol_indices()
-        if index not in fixed
-    ]
-    return row
+        turning = by(sine) * point[cosine] - by(cosine) * point[sine]
+        row.append(turning % prime)
+    return row + [by(index) for index in ring.symbol_indices()]

@@ -7,7 +7,7 @@ polynomial in one unknown, whose roots mod p FLINT finds.
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import combinations
 from typing import Any
 
@@ -240,6 +240,14 @@ def _in_tangent(
     condition: Polynomial, sine: int, cosine: int, point: Point, prime: int
 ) -> Any:
     """A condition as a polynomial in the tangent of half an angle, without divisor."""
+    if _is_linear(condition, sine, cosine):
+        at_zero, at_sine, at_cosine = (
+            _value(condition, {sine: s, cosine: c}, point, prime)
+            for s, c in ((0, 0), (1, 0), (0, 1))
+        )
+        # P·2t + Q·(1 − t²) + R·(1 + t²), with P + R, Q + R and R given.
+        along = 2 * (at_sine - at_zero)
+        return nmod_poly([at_cosine, along, 2 * at_zero - at_cosine], prime)
     parts: dict[tuple[int, int], dict[tuple[int, ...], Any]] = {}
     for exponents, coefficient in condition.to_dict().items():
         key = (int(exponents[sine]), int(exponents[cosine]))
@@ -256,8 +264,29 @@ def _in_tangent(
     return total
 
 
+def _is_linear(condition: Polynomial, sine: int, cosine: int) -> bool:
+    degrees = condition.degrees()
+    if max(degrees[sine], degrees[cosine]) > 1:
+        return False
+    both = degrees[sine] and degrees[cosine]
+    return not (both and condition.derivative(sine).degrees()[cosine])
+
+
+def _value(
+    polynomial: Polynomial, changed: Mapping[int, int], point: Point, prime: int
+) -> int:
+    """At a point with other values of some generators."""
+    values = list(point)
+    for index, value in changed.items():
+        values[index] = value
+    return residue(polynomial, values, prime)
+
+
 def _in_symbol(polynomial: Polynomial, index: int, point: Point, prime: int) -> Any:
     """A condition as a polynomial in one generator."""
+    if polynomial.degrees()[index] == 1:
+        first, second = (_value(polynomial, {index: x}, point, prime) for x in (0, 1))
+        return nmod_poly([first, second - first], prime)
     values = list(point)
     values[index] = 1
     parts: dict[int, dict[tuple[int, ...], Any]] = {}

@@ -94,7 +94,7 @@ class _System:
             equations.append(sine**2 + cosine**2 - 1)
         self._roots: list[int] = []
         self._constants: dict[int, float] = {}
-        for index, inside in ring.algebraic_relations():
+        for index, inside in ring.algebraic_relations:
             if isinstance(inside, tuple):
                 terms = (a * gens[index] ** k for k, a in enumerate(inside))
                 equations.append(sum(terms, ring.zero))
@@ -242,7 +242,7 @@ def _start(
     for name, index in zip(ring.symbols, ring.symbol_indices(), strict=True):
         exact = given.get(name)
         values[index] = source.uniform(-1.5, 1.5) if exact is None else float(exact)
-    for index, inside in ring.algebraic_relations():
+    for index, inside in ring.algebraic_relations:
         if isinstance(inside, tuple):
             values[index] = _largest_root(inside)
             continue

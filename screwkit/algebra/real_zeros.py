@@ -10,12 +10,14 @@ from __future__ import annotations
 from typing import Any
 
 from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.remembered import remembered
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 TERMS = 40
 """Of a polynomial that is looked at."""
 
 
+@remembered
 def vanishing_together(
     ring: TrigonometricRing, assumptions: Assumptions, polynomial: Polynomial
 ) -> list[Polynomial] | None:

@@ -290,7 +290,7 @@ def _residue(coefficient: Any, p: int) -> int:
 
 def _constants_modulo(ring: TrigonometricRing) -> tuple[int, tuple[int, ...]]:
     """A prime and values of the algebraic numbers in it."""
-    minimal = [m for _, m in ring.algebraic_relations() if isinstance(m, tuple)]
+    minimal = [m for _, m in ring.algebraic_relations if isinstance(m, tuple)]
     if not minimal:
         return LARGEST, ()
     source = random.Random(1)

@@ -83,7 +83,7 @@ def scaled(
     if len(roots) != 1:
         return None
     root = roots[0]
-    minimal = dict(ring.algebraic_relations())[root]
+    minimal = dict(ring.algebraic_relations)[root]
     if not isinstance(minimal, tuple) or len(minimal) != 3 or minimal[1]:
         return None
     square = int(-minimal[0])

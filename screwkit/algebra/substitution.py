@@ -137,17 +137,11 @@ def angle_parts(
     if not 0 < max(degrees[sine], degrees[cosine]) <= 1:
         return None
     if degrees[sine] and degrees[cosine]:
-        split: list[dict[tuple[int, ...], Any]] = [{}, {}, {}]
-        for exponents, coefficient in polynomial.to_dict().items():
-            s, c = int(exponents[sine]), int(exponents[cosine])
-            if s and c:
-                return None
-            rest = tuple(
-                0 if i in (sine, cosine) else e for i, e in enumerate(exponents)
-            )
-            split[0 if s else 1 if c else 2][rest] = coefficient
-        p, q, r = (ring.context.from_dict(part) for part in split)
-        return p, q, r
+        by_sine, rest = linear_parts(ring, polynomial, sine)
+        if by_sine.degrees()[cosine]:
+            return None
+        by_cosine, rest = linear_parts(ring, rest, cosine)
+        return by_sine, by_cosine, rest
     index = sine if degrees[sine] else cosine
     factor, rest = linear_parts(ring, polynomial, index)
     if index == sine:

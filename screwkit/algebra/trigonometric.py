@@ -246,6 +246,7 @@ class TrigonometricRing:
         """Names of the basis angles that are rational numbers of radians."""
         return tuple(str(angle) for angle in self._rational_angles)
 
+    @cached_property
     def algebraic_relations(
         self,
     ) -> list[tuple[int, Polynomial | tuple[int, ...]]]:

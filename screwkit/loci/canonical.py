@@ -66,6 +66,12 @@ def _same(
 ) -> bool:
     """Whether the equations have exactly this piece as their zeros."""
     fresh = Search(search.library, budget=_BUDGET)
+
+    def is_refuted(_: Branch) -> bool:
+        beside = (b for b in fresh.found if not lies_in(b, piece))
+        return bool(fresh.unfinished) or any(beside)
+
+    fresh.skip = is_refuted  # then nothing more need be known
     zeros = common_zeros(root, equations, fresh)
     if not zeros.complete or not zeros.branches:
         return False
