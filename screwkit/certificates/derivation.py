@@ -30,6 +30,7 @@ from screwkit.certificates.steps import (
 )
 from screwkit.certificates.sums import Sum, implied_equation, solvable_sum
 from screwkit.certificates.texts import read
+from screwkit.certificates.whole_equations import with_whole_equations
 
 NODES = 600
 """Nodes of one proof."""
@@ -170,6 +171,7 @@ class _Search(Conditions):
         for minor in matrix.minors(branch, *at, self.source):
             factors = self.product(branch, minor.parts, LONGEST)
             if factors is not None:
+                factors = with_whole_equations(self, place, factors)
                 if any(own.key in vanishing for own, _ in factors):
                     continue  # it says nothing here
                 open_ones = [f for f, _ in factors if not self.positive(branch, f)]
