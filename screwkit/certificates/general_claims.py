@@ -1,0 +1,130 @@
+"""Claims about a node in general: its dimensions are tied, the platform keeps still.
+
+They hold on a whole sheet where they hold at a random posture of it.  So every sheet of
+the node has to be met; where several unsolved conditions meet, that is not sure, and
+is said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from itertools import islice
+
+from screwkit.algebra.all_roots import NoResidueError
+from screwkit.algebra.exact_point import PointRing
+from screwkit.algebra.modular import ResampleError
+from screwkit.certificates.postures import POINTS, Postures, Way
+from screwkit.certificates.records import Node
+from screwkit.certificates.screw_matrix import ScrewMatrix
+from screwkit.certificates.sheets import Sheets
+from screwkit.certificates.texts import RefusedError
+
+
+class GeneralClaims:
+    """Claims of one part that are examined at random postures of a node.
+
+    Args:
+        postures: Of the mechanism and the part.
+        matrix: Of the part.
+        sheets: Of conditions.
+        dimensions: Symbols that tell one mechanism from another.
+    """
+
+    def __init__(
+        self,
+        postures: Postures,
+        matrix: ScrewMatrix,
+        sheets: Sheets,
+        dimensions: Collection[str],
+    ) -> None:
+        self._postures, self._matrix, self._sheets = postures, matrix, sheets
+        self._part = postures.part
+        self._names = sorted({*dimensions} & {*postures.symbols})
+        self._ranks: dict[tuple[Way, str | None], list[tuple[int, ...]]] = {}
+        self.sampled: dict[tuple[str, ...], None] = {}
+        """Conditions that meet where only some postures were seen."""
+
+    # -- the platform ----------------------------------------------------------------
+
+    def still(self, node: Node, way: Way) -> None:
+        """Where the minor of a node does not vanish the platform keeps still.
+
+        The limbs' ranks less the rank of the matrix are the platform's freedom.  The
+        latter is no less than the minor's size, and the former are no larger than on
+        any larger set of postures: those of one of the conditions alone.
+
+        Raises:
+            RefusedError: If the platform may move.
+        """
+        if node.rank == self._part.rank:
+            return
+        active = self._sheets.active(way)
+        sizes: tuple[int, ...] | None = None
+        for text in active or (None,):
+            try:
+                found = self._limb_ranks(Way(way.steps), text)
+            except NoResidueError:
+                continue
+            if all(sum(own) <= node.rank for own in found):
+                return
+            largest = tuple(map(max, zip(*found, strict=True)))
+            sizes = largest if sizes is None else tuple(map(min, largest, sizes))
+            if sum(sizes) <= node.rank:
+                return
+        if len(active) < 2 and sizes is not None:
+            raise RefusedError("the platform moves on it")
+        self._seen_still(node, way)
+        self.sampled[active] = None
+
+    def _limb_ranks(self, way: Way, text: str | None) -> list[tuple[int, ...]]:
+        """The ranks of the limbs on every sheet of a condition."""
+        key = way, text
+        if key not in self._ranks:
+            self._ranks[key] = self._sheets.on(
+                way, text, lambda _, there: self._matrix.ranks(there)
+            )
+        return self._ranks[key]
+
+    def _seen_still(self, node: Node, way: Way) -> None:
+        for _, point in islice(self._postures.meeting(way, node.roots), 2 * POINTS):
+            rank = self._matrix.rank(point)
+            if rank > node.rank:
+                raise RefusedError(f"the rank on it is {rank}")
+            if rank == node.rank and self._matrix.freedom(point):
+                raise RefusedError("the platform moves on it")
+
+    # -- the dimensions --------------------------------------------------------------
+
+    def special(self, node: Node, way: Way) -> None:
+        """Moving on the node changes the dimensions in fewer ways than there are.
+
+        So they satisfy an equation there, and dimensions in general do not.
+
+        Raises:
+            RefusedError: If they may be anything.
+        """
+        if not self._names:
+            raise RefusedError("there are no dimensions that could be special")
+        active = self._sheets.active(way)
+        if len(active) < 2:
+            text = active[0] if active else None
+            try:
+                self._sheets.on(way, text, lambda point, _: self._tied(point, way))
+            except NoResidueError:
+                pass
+            else:
+                return
+        for point, _ in islice(self._postures.meeting(way, node.roots), POINTS):
+            self._tied(point, way)
+        self.sampled[active] = None
+
+    def _tied(self, point: PointRing, way: Way) -> None:
+        count = len(self._names)
+        texts = [*self._names, *way.conditions]
+        try:
+            rows = self._postures.changes(point, way, texts)
+        except ResampleError:
+            raise RefusedError("no derivative was found on it") from None
+        bound = self._matrix.rank_of([row[count:] for row in rows])
+        if self._matrix.rank_of(rows) - bound >= count:
+            raise RefusedError("the dimensions are free on it")
