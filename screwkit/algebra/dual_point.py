@@ -95,6 +95,10 @@ class DualRing:
         }
         return cls(point, declared, turns, numbers)
 
+    def still(self, turn: tuple[Residue, Residue]) -> DualTurn:
+        """(cos, sin) of an angle that does not move."""
+        return Dual(turn[0], self._point.zero), Dual(turn[1], self._point.zero)
+
     def of(self, expression: Expression) -> Dual:
         """An expression with its change."""
         return evaluate(expression, self)

@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from flint import nmod, nmod_mat, nmod_poly
 
 from screwkit.algebra.constants import ConstantField
+from screwkit.algebra.evaluated_modulo import Layout, laid_out
 from screwkit.algebra.evaluation import add_angles, evaluate, multiply_angle
 from screwkit.algebra.expression import Expression
 from screwkit.algebra.modular import ModularRing, ResampleError, Residue
@@ -31,6 +32,9 @@ class PointRing(ModularRing):
         turns: (cos, sin) of the basis angles.
         numbers: Values of symbols.
         constants_of: Another point mod the same prime, whose constants serve here too.
+
+    Attributes:
+        sheet: Which of several solutions are taken at this point, bit by bit.
     """
 
     def __init__(
@@ -43,9 +47,14 @@ class PointRing(ModularRing):
         constants_of: PointRing | None = None,
     ) -> None:
         super().__init__(0, prime, constants)
+        self.sheet = 0
         if constants_of is not None:
             self._generators = constants_of._generators
             self._turns = constants_of._turns
+            self.sheet = constants_of.sheet
+        self._layouts: dict[int, tuple[Expression, Layout]] = (
+            {} if constants_of is None else constants_of._layouts
+        )
         self.turns = tuple(turns)
         self.numbers = dict(numbers)
         self._declared = declared
@@ -75,7 +84,11 @@ class PointRing(ModularRing):
         Raises:
             ResampleError: If a root or an inverse in it does not exist here.
         """
-        return evaluate(expression, self)
+        known = self._layouts.get(id(expression))
+        if known is None:
+            known = self._layouts[id(expression)] = expression, laid_out(expression)
+        value = known[1].at(self.prime, lambda atom: evaluate(atom, self))
+        return nmod(value, self.prime) if isinstance(value, int) else value
 
     def symbol(self, name: str) -> Residue:
         """The value given for this symbol."""

@@ -12,8 +12,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping
-from dataclasses import replace
-from itertools import islice
+from dataclasses import dataclass, replace
 from typing import Any
 
 from screwkit.algebra.exact_point import PointRing
@@ -21,6 +20,7 @@ from screwkit.algebra.expression import Expression
 from screwkit.algebra.expression_building import symbols_of
 from screwkit.algebra.modular import ResampleError
 from screwkit.certificates.claimed_loci import ClaimedLoci
+from screwkit.certificates.general_claims import GeneralClaims
 from screwkit.certificates.graph_matrix import GraphMatrix
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import (
@@ -33,9 +33,9 @@ from screwkit.certificates.records import (
     Step,
 )
 from screwkit.certificates.screw_matrix import ScrewMatrix
+from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.signs import Signs
-from screwkit.certificates.smaller_minors import still, wide
-from screwkit.certificates.solutions import POINTS, Solutions
+from screwkit.certificates.solutions import Solutions
 from screwkit.certificates.texts import RefusedError, fraction, read
 from screwkit.mechanism.model import Mechanism
 
@@ -43,7 +43,24 @@ ATTEMPTS = 8
 """Choices of postures before a part is given up."""
 
 
-def check(certificate: Certificate, mechanism: Mechanism, seed: int) -> None:
+@dataclass(frozen=True)
+class Findings:
+    """What a part rests on besides what was checked everywhere.
+
+    Attributes:
+        sampled_components: Equations of components that were seen at some of their
+            postures; on other sheets of them, if there are any, ranks may be larger.
+        sampled_conditions: Conditions that meet in the proof, where what was seen at
+            some postures need not hold on other sheets, if there are any.
+    """
+
+    sampled_components: tuple[tuple[str, ...], ...] = ()
+    sampled_conditions: tuple[tuple[str, ...], ...] = ()
+
+
+def check(
+    certificate: Certificate, mechanism: Mechanism, seed: int
+) -> tuple[Findings, ...]:
     """Check every part of a certificate.
 
     Args:
@@ -51,29 +68,34 @@ def check(certificate: Certificate, mechanism: Mechanism, seed: int) -> None:
         mechanism: As read from its file.
         seed: Of the random postures; whoever wrote the certificate must not know it.
 
+    Returns:
+        What was seen of each part beyond what it claims.
+
     Raises:
         RefusedError: With what does not hold.
     """
     if not certificate.parts:
         raise RefusedError("it claims nothing")
+    found = []
     for number, part in enumerate(certificate.parts):
         try:
-            checked(mechanism, part, f"{seed}/{number}")
+            found.append(checked(mechanism, part, f"{seed}/{number}"))
         except RefusedError as refusal:
             raise RefusedError(f"{name_of(part)}: {refusal}") from None
+    return tuple(found)
 
 
-def checked(mechanism: Mechanism, part: Part, seed: str) -> None:
+def checked(mechanism: Mechanism, part: Part, seed: str) -> Findings:
     """Check a part; again with other postures where one lacks a root."""
     for attempt in range(ATTEMPTS):
+        source = random.Random(f"{seed}/{attempt}")
         try:
-            _PartCheck(mechanism, part, random.Random(f"{seed}/{attempt}")).all()
+            return _PartCheck(mechanism, part, source).all()
         except ResampleError:
             continue
         except (LookupError, ArithmeticError, ValueError, RecursionError) as error:
             # Names, numbers or depths that the mechanism does not have.
             raise RefusedError(f"it does not fit the mechanism: {error!r}") from None
-        return
     raise RefusedError("roots or inverses in it do not exist at random postures")
 
 
@@ -97,18 +119,22 @@ class _PartCheck:
             self._matrix = GraphMatrix(self._postures)
         else:
             self._matrix = ScrewMatrix(self._postures)
-        self._loci = ClaimedLoci(self._postures, self._matrix)
         own = mechanism.parameters
         self._signs = Signs(
             {p.name for p in own if p.positive},
             {p.name for p in own if p.positive or p.nonzero},
         )
         self._dimensions = {p.name for p in own if not p.free}
+        self._sheets = Sheets(self._postures, source)
+        self._loci = ClaimedLoci(self._postures, self._matrix, self._sheets)
+        self._general = GeneralClaims(
+            self._postures, self._matrix, self._sheets, self._dimensions
+        )
         self._solutions = Solutions(self._postures, self._signs)
         self._finished: dict[int, Way] = {}
         self._met: set[int] = set()
 
-    def all(self) -> None:
+    def all(self) -> Findings:
         """Check the part."""
         part = self._part
         if part.question not in ("limb", "constraint", "actuation"):
@@ -127,6 +153,7 @@ class _PartCheck:
         if part.proof is not None:
             loci.none_inside_another()
             self._node(part.proof, Way())
+        return Findings(tuple(loci.sampled), tuple(self._general.sampled))
 
     # -- the tree --------------------------------------------------------------------
 
@@ -150,19 +177,19 @@ class _PartCheck:
         elif node.axis:
             self._without_axis(node, way)
         elif node.special:
-            self._special(node, way)
+            self._general.special(node, way)
         elif node.impossible >= 0:
             self._impossible(node, way)
         else:
             self._product(node, way)
             if self._smaller_ones and _is_minor(node):
-                self._smaller(node, way)
+                self._general.bounded(node, way, max(0, self._loci.freedom))
             for case in node.cases:
                 self._case(case, way)
 
     def _zero_on(self, expression: Expression, way: Way) -> bool:
         """Whether it vanishes by the solved steps of a way alone."""
-        points = islice(self._postures.on(Way(way.steps)), POINTS)
+        points = self._postures.several(way)
         return all(point.value(expression) == 0 for point in points)
 
     def _on_component(self, node: Node, way: Way) -> None:
@@ -172,7 +199,7 @@ class _PartCheck:
             raise RefusedError(f"there is no component {node.component}") from None
         multiples = {multiple.equation: multiple for multiple in node.multiples}
         for number, text in enumerate(locus.equations):
-            for point in islice(self._postures.on(Way(way.steps)), POINTS):
+            for point in self._postures.several(way):
                 value = point.value(read(text))
                 if not self._follows(value, multiples.get(number), way, point):
                     raise RefusedError(f"{text} does not vanish on it")
@@ -194,7 +221,7 @@ class _PartCheck:
         for text in earlier.conditions:
             if text not in way.conditions and not self._zero_on(read(text), way):
                 raise RefusedError(f"it is not in node {node.earlier}")
-        for point in islice(self._postures.on(Way(way.steps)), POINTS):
+        for point in self._postures.several(way):
             if not all(self._satisfied(step, point) for step in earlier.steps):
                 raise RefusedError(f"it is not in node {node.earlier}")
 
@@ -219,7 +246,7 @@ class _PartCheck:
             raise RefusedError(f"there is no freedom {label!r}")
         turning = any(x != 0 for x in self._matrix.twists(free)[label][:3])
         place = slice(0, 3) if turning else slice(3, 6)
-        for point in islice(self._postures.on(Way(way.steps)), POINTS):
+        for point in self._postures.several(way):
             square = sum(
                 (x * x for x in self._matrix.twists(point)[label][place]), point.zero
             )
@@ -231,7 +258,7 @@ class _PartCheck:
         value = read(node.impossible_value)
         if not self._signs.never_zero(value):
             raise RefusedError(f"{node.impossible_value} may vanish")
-        for point in islice(self._postures.on(Way(way.steps)), POINTS):
+        for point in self._postures.several(way):
             left = point.value(condition)
             left = left * self._divided(node.over or {}, way, point)
             if left != point.value(value):
@@ -267,7 +294,7 @@ class _PartCheck:
                 raise RefusedError("its minor is none of the matrix")
         ratios: set[int] = set()
         paired = any(len(case.equations) > 1 for case in node.cases)
-        for point in islice(self._postures.on(Way(way.steps)), POINTS):
+        for point in self._postures.several(way):
             if node.combination:
                 left = point.zero
                 for own in node.combination:
@@ -300,35 +327,6 @@ class _PartCheck:
         if not paired:
             return values[0]
         return sum((value * value for value in values), point.zero)
-
-    def _smaller(self, node: Node, way: Way) -> None:
-        """Why a minor that is smaller than the generic rank says enough."""
-        if node.rank == self._part.rank:
-            return
-        met = islice(self._postures.meeting(way, node.roots), 2 * POINTS)
-        points = [point for _, point in met]
-        if self._part.question == "actuation":
-            still(self._matrix, node.rank, points)
-        elif isinstance(self._matrix, GraphMatrix):
-            wide(self._matrix, node.rank - self._loci.freedom, points)
-
-    def _special(self, node: Node, way: Way) -> None:
-        """Moving on the node changes the dimensions in fewer ways than there are.
-
-        So they satisfy an equation there, and dimensions in general do not.
-        """
-        names = sorted(self._dimensions & {*self._postures.symbols})
-        if not names:
-            raise RefusedError("there are no dimensions that could be special")
-        texts = [*names, *way.conditions]
-        for point, _ in islice(self._postures.meeting(way, node.roots), POINTS):
-            try:
-                rows = self._postures.changes(point, way, texts)
-            except ResampleError:
-                raise RefusedError("no derivative was found on it") from None
-            bound = self._matrix.rank_of([row[len(names) :] for row in rows])
-            if self._matrix.rank_of(rows) - bound >= len(names):
-                raise RefusedError("the dimensions are free on it")
 
     # -- cases -----------------------------------------------------------------------
 
@@ -365,7 +363,7 @@ class _PartCheck:
         if case.divisor is None or len(case.equations) != 1:
             raise RefusedError("a case without its divisor")
         multiple = case.divisor
-        for point in islice(self._postures.on(Way(way.steps)), POINTS):
+        for point in self._postures.several(way):
             left = self._divided({str(multiple.equation): 1}, way, point)
             left = left * self._divided(multiple.over, way, point)
             right = point.value(read(multiple.times))

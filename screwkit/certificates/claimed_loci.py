@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import islice
 
+from screwkit.algebra.all_roots import NoResidueError
 from screwkit.algebra.exact_point import PointRing
 from screwkit.certificates.graph_matrix import GraphMatrix
-from screwkit.certificates.postures import Postures, Way
+from screwkit.certificates.postures import POINTS, Postures, Way
 from screwkit.certificates.records import Locus
 from screwkit.certificates.screw_matrix import ScrewMatrix
-from screwkit.certificates.solutions import POINTS
+from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.texts import RefusedError, read
 
 
@@ -20,13 +21,18 @@ class ClaimedLoci:
     Args:
         postures: Of the mechanism and the part.
         matrix: Of the part.
+        sheets: Of conditions.
     """
 
-    def __init__(self, postures: Postures, matrix: ScrewMatrix | GraphMatrix) -> None:
-        self._postures, self._matrix = postures, matrix
+    def __init__(
+        self, postures: Postures, matrix: ScrewMatrix | GraphMatrix, sheets: Sheets
+    ) -> None:
+        self._postures, self._matrix, self._sheets = postures, matrix, sheets
         self._part = postures.part
         self.freedom = -1
         """Of a limb by its loop equations: what it allows the platform in general."""
+        self.sampled: dict[tuple[str, ...], None] = {}
+        """Equations of components of which only some postures were seen."""
 
     def generic(self) -> None:
         """Check the rank in general, and that a scheme stops the platform.
@@ -34,7 +40,7 @@ class ClaimedLoci:
         Raises:
             RefusedError: If either is otherwise.
         """
-        points = [*islice(self._postures.on(Way()), POINTS)]
+        points = self._postures.several(Way())
         rank = max(map(self._matrix.rank, points))
         if rank != self._part.rank:
             raise RefusedError(f"its generic rank is {rank}, not {self._part.rank}")
@@ -57,14 +63,14 @@ class ClaimedLoci:
         """
         if not locus.equations or not locus.reach:
             raise RefusedError("it has no equation or no posture")
-        ranks, freedoms = [], []
+        seen = [*self._on_sheets(locus)]
         for point in self._points_of(locus):
             for text in locus.equations:
                 if point.value(read(text)) != 0:
                     raise RefusedError("its postures do not satisfy its equations")
-            ranks.append(self._matrix.rank(point))
-            if self._part.question != "limb" or self.freedom >= 0:
-                freedoms.append(self._matrix.freedom(point))
+            seen.append(self._numbers(point))
+        ranks = [rank for rank, _ in seen]
+        freedoms = [own for _, own in seen if own is not None]
         if 0 <= self.freedom <= max(freedoms, default=0):
             raise RefusedError(f"the platform has {max(freedoms)} freedoms on it")
         if max(ranks) >= self._part.rank:
@@ -75,6 +81,23 @@ class ClaimedLoci:
             raise RefusedError(f"the platform has {min(freedoms)} freedoms there")
         if self._part.question == "actuation" and (locus.freedom > 0) != moves:
             raise RefusedError("the platform is said to move where it does not")
+
+    def _on_sheets(self, locus: Locus) -> list[tuple[int, int | None]]:
+        """The numbers on all sheets, as far as they are met."""
+        if len(locus.equations) == 1:
+            try:
+                return self._sheets.on(
+                    Way(), locus.equations[0], lambda _, there: self._numbers(there)
+                )
+            except NoResidueError:
+                pass
+        self.sampled[locus.equations] = None
+        return []
+
+    def _numbers(self, point: PointRing) -> tuple[int, int | None]:
+        """The rank at a posture and the freedom of the platform."""
+        asked = self._part.question != "limb" or self.freedom >= 0
+        return self._matrix.rank(point), self._matrix.freedom(point) if asked else None
 
     def _points_of(self, locus: Locus) -> Iterator[PointRing]:
         for reach in locus.reach:

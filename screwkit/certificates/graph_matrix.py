@@ -15,8 +15,8 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
+from screwkit.algebra.all_roots import rank_at_roots
 from screwkit.algebra.exact_point import PointRing, determinant_modulo
-from screwkit.algebra.modular import rank
 from screwkit.certificates.postures import Postures
 from screwkit.conventions import SCREW_DIMENSION
 from screwkit.kinematics.loop_basis import held_loops, short_loops
@@ -86,9 +86,9 @@ class GraphMatrix:
         """The columns of the part's matrix at a posture, by freedom."""
         return self._of(point, self._held if self.is_held else self._closed)
 
-    def rank_of(self, rows: Sequence[Sequence[int]]) -> int:
-        """Of a matrix of residues."""
-        return rank(rows, self.prime)
+    def rank_of(self, rows: Sequence[Sequence[Any]]) -> int:
+        """Of a matrix of residues, or of values at roots."""
+        return rank_at_roots(rows, self.prime)
 
     def rank(self, point: PointRing) -> int:
         """Of the matrix at a posture."""
@@ -98,6 +98,13 @@ class GraphMatrix:
         """Of C at a posture."""
         return self._rank(point, self._closed)
 
+    def bounding_ranks(self, point: PointRing) -> tuple[int, ...]:
+        """Rank that exceeds that of the matrix, or falls short, by the freedom.
+
+        Of [C; P] where the matrix is C, and of C where it is [C; P].
+        """
+        return (self._rank(point, self._closed if self.is_held else self._held),)
+
     def freedom(self, point: PointRing) -> int:
         """Dimension of the platform's twists at a posture, locked freedoms held."""
         return self._rank(point, self._held) - self._rank(point, self._closed)
@@ -105,7 +112,7 @@ class GraphMatrix:
     def _rank(self, point: PointRing, loops: Sequence[Sequence[Step]]) -> int:
         if not loops:
             return 0
-        return rank([*self._of(point, loops).values()], self.prime)
+        return self.rank_of([*self._of(point, loops).values()])
 
     def minor(
         self, point: PointRing, rows: Sequence[int], columns: Sequence[str]

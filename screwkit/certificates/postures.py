@@ -11,13 +11,13 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import count
+from itertools import count, islice
 from typing import Any
 from weakref import WeakKeyDictionary
 
 from screwkit.algebra.angle_basis import inverse_forms
 from screwkit.algebra.constants import ConstantField
-from screwkit.algebra.dual_point import Dual, DualRing
+from screwkit.algebra.dual_point import DualRing
 from screwkit.algebra.exact_point import (
     PointRing,
     Turn,
@@ -32,9 +32,21 @@ from screwkit.algebra.survey import SurveyRing
 from screwkit.certificates.records import Angles, Part, Step, Unsolved
 from screwkit.certificates.root_postures import Roots
 from screwkit.certificates.spoken_of import spoken_of
-from screwkit.certificates.texts import RefusedError, fraction, radicands_of, read
+from screwkit.certificates.texts import (
+    RefusedError,
+    fraction,
+    names_in,
+    radicands_of,
+    read,
+)
 from screwkit.kinematics.placement import joint_twists
 from screwkit.mechanism.model import Mechanism
+
+POINTS = 3
+"""Postures at which an identity is compared."""
+
+CHOICES = 6
+"""Angles solved in numbers on one way, each with two solutions, at most."""
 
 _ATTEMPTS = 60
 _REMEMBERED = 16
@@ -82,6 +94,28 @@ class Postures:
         self._known: dict[tuple[Step, ...], list[tuple[PointRing, PointRing]]] = {}
         self._twists = WeakKeyDictionary[PointRing, Mapping[str, tuple[Any, ...]]]()
 
+    def several(self, way: Way) -> list[PointRing]:
+        """Random postures that the steps of a way admit, with every choice in numbers.
+
+        Raises:
+            RefusedError: If none is found in many attempts, or there are many choices.
+        """
+        return [*islice(self.on(Way(way.steps)), self._enough(way))]
+
+    def several_before(self, way: Way) -> list[PointRing]:
+        """Random points whose images under `moved` are such postures.
+
+        Raises:
+            RefusedError: If none is found in many attempts, or there are many choices.
+        """
+        return [*islice(self.drawn_before(Way(way.steps)), self._enough(way))]
+
+    def _enough(self, way: Way) -> int:
+        choices = sum(step.kind == "numbers" for step in way.steps)
+        if choices > CHOICES:
+            raise RefusedError("too many angles are solved in numbers")
+        return max(POINTS, int(2**choices))
+
     def on(self, way: Way, roots: Sequence[Unsolved] = ()) -> Iterator[PointRing]:
         """Random postures that the steps of a way and some conditions admit.
 
@@ -127,26 +161,27 @@ class Postures:
 
         Whoever wrote the certificate knows none of them, so that one set of points
         serves all questions about a way.  Where a step leaves a choice between two
-        solutions every question makes its own.
+        solutions the drawings take one after the other.
         """
         if roots or any(step.kind == "numbers" for step in way.steps):
-            while True:
-                yield self._drawing(way, roots)
+            for number in count():
+                yield self._drawing(way, roots, number)
         known = self._known.pop(way.steps, [])
         self._known[way.steps] = known
         if len(self._known) > _REMEMBERED:
             del self._known[next(iter(self._known))]
         for number in count():
             if number == len(known):
-                known.append(self._drawing(way, ()))
+                known.append(self._drawing(way, (), 0))
             yield known[number]
 
     def _drawing(
-        self, way: Way, roots: Sequence[Unsolved]
+        self, way: Way, roots: Sequence[Unsolved], sheet: int
     ) -> tuple[PointRing, PointRing]:
         for _ in range(_ATTEMPTS):
             try:
                 before = self._roots.met(self._drawn(), roots)
+                before.sheet = sheet
                 there = self.moved(before, way)
                 if self._may_fail:  # where the geometry's roots exist all others do
                     self.twists(there)
@@ -154,6 +189,13 @@ class Postures:
                 continue
             return before, there
         raise RefusedError("no exact posture was found where one is claimed")
+
+    def unknowns_of(self, texts: Sequence[str], way: Way) -> list[int | str]:
+        """Basis angles and symbols on which expressions may depend after the steps."""
+        told = [t for s in way.steps for t in (s.sine, s.cosine, s.value, s.over) if t]
+        names = {n for text in (*texts, *told) for n in names_in(text)}
+        angles = {k for n in names & {*self._declared} for k in self._declared[n]}
+        return [*sorted(angles), *(n for n in self.symbols if n in names)]
 
     def turn(self) -> Turn:
         """A random point of the circle."""
@@ -172,13 +214,16 @@ class Postures:
 
     def moved(self, point: PointRing, way: Way) -> PointRing:
         """The posture of a way with the values of a point where it leaves them free."""
+        choices = point.sheet
         for step in reversed(way.steps):
-            point = self._stepped(point, step)
+            if step.kind == "numbers":
+                turn = self._numbers_turn(point, step.numbers, choices & 1)
+                point, choices = point.changed(step.angle, turn), choices >> 1
+            else:
+                point = self._stepped(point, step)
         return point
 
     def _stepped(self, point: PointRing, step: Step) -> PointRing:
-        if step.kind == "numbers":
-            return point.changed(step.angle, self._numbers_turn(point, step.numbers))
         over = point.value(read(step.over))
         if over == 0:
             raise ResampleError
@@ -191,22 +236,24 @@ class Postures:
         )
         return point.changed(step.angle, turn)
 
-    def _numbers_turn(self, point: PointRing, numbers: Sequence[str]) -> Turn:
-        """A random one of the two solutions of a·sin φ + b·cos φ + c = 0."""
+    def _numbers_turn(
+        self, point: PointRing, numbers: Sequence[str], second: int
+    ) -> Turn:
+        """The first or the second solution of a·sin φ + b·cos φ + c = 0."""
         a, b, c = (point.rational(fraction(text)) for text in numbers)
         # In the tangent t of half the angle: 2at + b(1 − t²) + c(1 + t²) = 0.
-        found = roots_of([int(b + c), int(2 * a), int(c - b)], self.prime)
-        turns = [turn_of(point.rational(Fraction(t))) for t in found]
+        found = sorted(roots_of([int(b + c), int(2 * a), int(c - b)], self.prime))
+        there = (turn_of(point.rational(Fraction(t))) for t in found)
+        turns = [turn for turn in there if turn is not None]
         if c == b:
             turns.append((-point.one, point.zero))
-        chosen = self._source.choice(turns) if turns else None
-        if chosen is None:
+        if not turns:
             raise ResampleError
-        return chosen
+        return turns[second % len(turns)]
 
     def changes(
         self, point: PointRing, way: Way, texts: Sequence[str]
-    ) -> list[list[int]]:
+    ) -> list[list[Any]]:
         """How symbols or expressions change with everything that a way leaves free.
 
         Args:
@@ -218,18 +265,18 @@ class Postures:
         rows = []
         for direction in directions:
             ring = DualRing.along(point, self._declared, direction)
+            choices = point.sheet
             for step in reversed(way.steps):
-                self._follow(ring, step)
-            rows.append([int(ring.of(read(text)).change) for text in texts])
+                if step.kind == "numbers":
+                    turn = self._numbers_turn(point, step.numbers, choices & 1)
+                    ring.turns[step.angle] = ring.still(turn)
+                    choices >>= 1
+                else:
+                    self._follow(ring, step)
+            rows.append([ring.of(read(text)).change for text in texts])
         return rows
 
     def _follow(self, ring: DualRing, step: Step) -> None:
-        if step.kind == "numbers":
-            cosine, sine = (
-                Dual(x.value, x.value - x.value) for x in ring.turns[step.angle]
-            )
-            ring.turns[step.angle] = cosine, sine
-            return
         over = ring.of(read(step.over))
         if step.kind == "symbol":
             ring.numbers[step.symbol] = ring.of(read(step.value)).over(over)

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from screwkit.algebra.all_roots import rank_at_roots
 from screwkit.algebra.exact_point import PointRing, determinant_modulo
-from screwkit.algebra.modular import rank
 from screwkit.certificates.postures import Postures
 
 
@@ -60,25 +60,31 @@ class ScrewMatrix:
                 ]
         return columns
 
-    def rank_of(self, rows: Sequence[Sequence[int]]) -> int:
-        """Of a matrix of residues."""
-        return rank(rows, self.prime)
+    def rank_of(self, rows: Sequence[Sequence[Any]]) -> int:
+        """Of a matrix of residues, or of values at roots."""
+        return rank_at_roots(rows, self.prime)
 
     def rank(self, point: PointRing) -> int:
         """Of the matrix at a posture."""
-        return rank(list(self.matrix(point).values()), self.prime)
+        return self.rank_of(list(self.matrix(point).values()))
+
+    def bounding_ranks(self, point: PointRing) -> tuple[int, ...]:
+        """Ranks whose sum exceeds that of the matrix by the platform's freedom.
+
+        Those of the limbs' twists at a posture, locked freedoms left out.
+        """
+        twists, locked = self.twists(point), set(self._part.locked)
+        return tuple(
+            self.rank_of([twists[x] for x in labels if x not in locked])
+            for labels in self.limbs
+        )
 
     def freedom(self, point: PointRing) -> int:
         """Dimension of the platform's twists at a posture, locked freedoms held.
 
         The kernel of the matrix without the motions in which the limbs alone move.
         """
-        twists, locked = self.twists(point), set(self._part.locked)
-        own = [
-            rank([twists[x] for x in labels if x not in locked], self.prime)
-            for labels in self.limbs
-        ]
-        return sum(own) - self.rank(point)
+        return sum(self.bounding_ranks(point)) - self.rank(point)
 
     def minor(
         self, point: PointRing, rows: Sequence[int], columns: Sequence[str]

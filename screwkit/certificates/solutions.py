@@ -6,10 +6,9 @@ angle by two linear equations, an angle in numbers, a symbol.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import islice
 from typing import Any
 
 from screwkit.algebra.exact_point import PointRing, Turn
@@ -19,9 +18,6 @@ from screwkit.certificates.records import Case, Step
 from screwkit.certificates.root_postures import linear_solution
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.texts import RefusedError, fraction, read
-
-POINTS = 3
-"""Postures at which an identity is compared."""
 
 
 class Solutions:
@@ -77,16 +73,13 @@ class Solutions:
                 raise RefusedError("an equation is not linear in sine and cosine")
         return p, q, r
 
-    def _at(self, way: Way) -> Iterator[PointRing]:
-        return islice(self._postures.drawn_before(Way(way.steps)), POINTS)
-
     def _two_turns(self, case: Case, steps: Sequence[Step], way: Way) -> None:
         """P·sin φ + Q·cos φ = 0 with constant P² + Q²: two opposite turns."""
         first, second = steps
         if first.angle != second.angle:
             raise RefusedError("the sheets of a case turn different angles")
         squares = set()
-        for point in self._at(way):
+        for point in self._postures.several_before(way):
             p, q, r = self._linear(read(case.equations[0]), first.angle, point, way)
             squares.add(int(p * p + q * q))
             sines = [point.value(read(step.sine)) for step in steps]
@@ -113,7 +106,7 @@ class Solutions:
         a, b, c = map(fraction, numbers)
         if not a and not b:
             raise RefusedError("the equation says nothing of an angle")
-        for point in self._at(way):
+        for point in self._postures.several_before(way):
             found = self._linear(read(case.equations[0]), angle, point, way)
             given = [point.rational(value) for value in (a, b, c)]
             pairs = ((0, 1), (0, 2), (1, 2))
@@ -142,7 +135,7 @@ class Solutions:
         """Two equations linear in sine and cosine with a determinant never zero."""
         if not self._signs.never_zero(read(step.over)):
             raise RefusedError(f"{step.over} may vanish")
-        for point in self._at(way):
+        for point in self._postures.several_before(way):
             rows = [
                 self._linear(read(text), step.angle, point, way)
                 for text in case.equations
@@ -160,7 +153,7 @@ class Solutions:
 
     def _symbol(self, equation: Expression, step: Step, way: Way) -> None:
         """A·x + B = 0 where A and B have no common zero."""
-        for point in self._at(way):
+        for point in self._postures.several_before(way):
             if step.symbol not in point.numbers:
                 raise RefusedError(f"there is no symbol {step.symbol!r}")
 
@@ -196,6 +189,6 @@ class Solutions:
                 raise RefusedError(f"{step.value} may vanish together with {step.over}")
             sheet = replace(solved, value="")
             there = replace(way, steps=(*way.steps, sheet))
-            for point in islice(self._postures.on(Way(there.steps)), POINTS):
+            for point in self._postures.several(there):
                 if point.value(read(step.value)) != point.value(value):
                     raise RefusedError(f"{step.value} has another value there")

@@ -8,6 +8,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 from screwkit.algebra.expression import Expression
+from screwkit.algebra.expression_building import symbols_of
 from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.parse import parse
 from screwkit.algebra.rational_values import rational_value
@@ -25,6 +26,12 @@ class RefusedError(Exception):
 def read(text: str) -> Expression:
     """A text of a certificate as an expression; nothing is evaluated."""
     return parse(text, limits=RESULT_LIMITS)
+
+
+@lru_cache(maxsize=20_000)
+def names_in(text: str) -> frozenset[str]:
+    """The names that occur in a text of a certificate."""
+    return symbols_of(read(text))
 
 
 def fraction(text: str) -> Fraction:

@@ -1,0 +1,107 @@
+"""Long expressions evaluated modulo a prime, again and again, at little cost.
+
+An expression is laid out once as sums of monomials in what is no sum, product or power;
+nothing is multiplied out.  At a point these atoms are evaluated as everywhere else, and
+the rest is arithmetic of integers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from screwkit.algebra.all_roots import RootValue
+from screwkit.algebra.expression import Expression, Number, Power, Product, Sum
+
+_Slot = tuple[Expression, int]
+
+
+@dataclass(frozen=True)
+class Layout:
+    """An expression as a sum of monomials in the powers of its atoms.
+
+    Attributes:
+        slots: Atoms with powers; an atom that is a sum has a layout of its own.
+        monomials: Coefficients, and the numbers of the slots that are multiplied.
+        inner: Layouts of the slots that are sums, by number.
+        residues: Of the coefficients, by prime.
+    """
+
+    slots: tuple[_Slot, ...]
+    monomials: tuple[tuple[Fraction, tuple[int, ...]], ...]
+    inner: Mapping[int, Layout]
+    residues: dict[int, list[int]] = field(default_factory=dict, compare=False)
+
+    def at(self, prime: int, atom: Callable[[Expression], Any]) -> Any:
+        """The value, where atoms have these values: an integer, or at roots."""
+        values, at_roots = list[int](), dict[int, RootValue]()
+        for number, (own, power) in enumerate(self.slots):
+            inner = self.inner.get(number)
+            value = atom(own) if inner is None else inner.at(prime, atom)
+            if isinstance(value, RootValue):
+                at_roots[number] = value**power
+                values.append(1)
+            else:
+                value = int(value)
+                values.append(value if power == 1 else pow(value, power, prime))
+        if prime not in self.residues:
+            self.residues[prime] = [
+                c.numerator * pow(c.denominator, -1, prime) % prime
+                for c, _ in self.monomials
+            ]
+        totals = dict[tuple[int, ...], int]()
+        total = 0
+        for number, (_, factors) in zip(
+            self.residues[prime], self.monomials, strict=True
+        ):
+            product = number
+            for slot in factors:
+                product = product * values[slot] % prime
+            if at_roots:
+                found = tuple(slot for slot in factors if slot in at_roots)
+                totals[found] = totals.get(found, 0) + product
+            else:
+                total += product
+        if not at_roots:
+            return total % prime
+        return sum(
+            (_times(own, [at_roots[k] for k in found]) for found, own in totals.items())
+        )
+
+
+def _times(number: int, values: Sequence[RootValue]) -> Any:
+    product: Any = number
+    for value in values:
+        product = value * product
+    return product
+
+
+def laid_out(expression: Expression) -> Layout:
+    """The layout of an expression."""
+    terms = expression.terms if isinstance(expression, Sum) else (expression,)
+    slots: dict[_Slot, int] = {}
+    monomials = []
+    for term in terms:
+        number, powers = Fraction(1), dict[Expression, int]()
+        waiting = [(term, 1)]
+        while waiting:
+            factor, power = waiting.pop()
+            match factor:
+                case Number(value):
+                    number *= value**power
+                case Product(factors):
+                    waiting += [(inner, power) for inner in factors]
+                case Power(base, exponent) if exponent > 0:
+                    waiting.append((base, power * exponent))
+                case _:
+                    powers[factor] = powers.get(factor, 0) + power
+        own = [slots.setdefault(slot, len(slots)) for slot in powers.items()]
+        monomials.append((number, tuple(own)))
+    inner = {
+        number: laid_out(atom)
+        for (atom, _), number in slots.items()
+        if isinstance(atom, Sum)
+    }
+    return Layout(tuple(slots), tuple(monomials), inner)
