@@ -161,7 +161,8 @@ def _sign(character: str) -> str | None:
 
 
 _LETTER = re.compile(
-    r"(?<![\w.*^-])(?:(sin|cos|tan)([²³]?) )?([A-Za-z]|[αβγδεθφψω])(\d{1,3})(?![\w.*^-])"
+    r"(?<![\w.*^-])(?:(sin|cos|tan)([²³]?) )?"
+    r"([A-Za-z]|[αβγδεθφψω])(\d{1,3})(?![\w.*^-])"
 )
 
 
