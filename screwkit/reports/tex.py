@@ -161,7 +161,8 @@ def _sign(character: str) -> str | None:
 
 
 _LETTER = re.compile(
-    r"(?<![\w.])(?:(sin|cos|tan)([²³]?) )?([A-Za-z]|[αβγδεθφψω])(\d{1,3})(?![\w.])"
+    r"(?<![\w.*^-])(?:(sin|cos|tan)([²³]?) )?"
+    r"([A-Za-z]|[αβγδεθφψω])(\d{1,3})(?![\w.*^-])"
 )
 
 
@@ -172,7 +173,6 @@ def prose(text: str) -> str:
     >>> print(prose("sin q4 = 0 on axis 3"))
     $\sin q_{4}$ = 0 on axis 3
     """
-    text = text.replace(" - ", " − ").replace("*", "·")
     written: list[str] = []
     at = 0
     for match in _LETTER.finditer(text):

@@ -96,10 +96,8 @@ def _apart(before: Block, block: Block) -> bool:
 
 def _span(span: Span, page: Page) -> str:
     match span:
-        case Words(text):
+        case Words(text) | Prose(text):
             return printable(text)
-        case Prose(text):
-            return printable(text).replace(" - ", " − ").replace("*", "·")
         case Loose(text):
             return printable(text).replace(" - ", " − ").replace("*", "·")
         case Strong(text):

@@ -72,6 +72,14 @@ def test_coordinates_in_sentences_are_mathematics() -> None:
     assert "sqrt" not in render((Paragraph(spans),))
 
 
+@pytest.mark.parametrize("name", ["a*b", "a - b", "q_1 x", "bar^2", "S*q2", "x1^y2"])
+def test_names_in_sentences_stay_as_they_are_written(name: str) -> None:
+    """A joint may be called anything: what looks like a formula in it is none."""
+    spans = prose(f"a rotation about [1, 0, 0] at joint {name}")
+    assert render((Paragraph(spans),)).rstrip().endswith(f"at joint {name}")
+    assert in_latex(spans).endswith(f"at joint {escape(name)}")
+
+
 def test_brackets_that_hold_no_vector_stay_as_they_are() -> None:
     assert prose("[a function of a, b]") == (Prose("[a function of a, b]"),)
     assert prose("see [1, (5") == (Prose("see [1, (5"),)
