@@ -17,7 +17,11 @@ LARGEST_OF_ROOTS = 100_000  # where half angles are no help
 
 
 class Divisor:
-    """Divides by one polynomial, by its norm over angles and square roots in it."""
+    """Divides by one polynomial, by its norm over angles and square roots in it.
+
+    Attributes:
+        polynomial: The divisor.
+    """
 
     def __init__(
         self,
@@ -26,7 +30,7 @@ class Divisor:
         halves: HalfAngles,
         layout: Layout,
     ) -> None:
-        self._polynomial = polynomial
+        self.polynomial = polynomial
         self._halves = halves
         self._ring = ring
         degrees = polynomial.degrees()
@@ -40,20 +44,20 @@ class Divisor:
 
     def divide(self, polynomial: Polynomial) -> Polynomial | None:
         """The quotient, or None where the division was not found to be exact."""
-        quotient = exact_quotient(polynomial, self._polynomial)
+        quotient = exact_quotient(polynomial, self.polynomial)
         if quotient is not None or not self._signs:
             return quotient
         if self._norm is None and self._normed:
             self._norm = self._with_cofactor()
             self._normed = self._norm is not None
         if self._norm is None:
-            return self._halves.quotient(polynomial, self._polynomial)
+            return self._halves.quotient(polynomial, self.polynomial)
         norm, cofactor = self._norm
         return exact_quotient(self._ring.normal(polynomial * cofactor), norm)
 
     def _with_cofactor(self) -> tuple[Polynomial, Polynomial] | None:
         """The norm, and what it is times the polynomial; None where it is large."""
-        norm, cofactor = self._polynomial, self._ring.one
+        norm, cofactor = self.polynomial, self._ring.one
         for place in self._signs:
             generator = self._ring.names[place]
             mirrored = norm.subs({generator: 0}) * 2 - norm

@@ -14,7 +14,10 @@ from functools import reduce
 from typing import TypeAlias
 
 from screwkit.algebra.block_triangles import blocks
+from screwkit.algebra.division import Divisor
+from screwkit.algebra.half_angle import HalfAngles
 from screwkit.algebra.minors import minors_of
+from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.errors import TooLargeError
 from screwkit.kinematics.whole_graph import Row
@@ -29,6 +32,10 @@ _LONGEST = 300_000
 """Products of terms that a step may take."""
 
 
+_WORTH = 60
+"""Terms of a row from which on it is tried whether earlier pivots divide it."""
+
+
 def determinant(ring: TrigonometricRing, rows: Sequence[Row]) -> Product | None:
     """The determinant up to a number; empty for a constant.
 
@@ -40,6 +47,7 @@ def determinant(ring: TrigonometricRing, rows: Sequence[Row]) -> Product | None:
         None where it takes too long, or is zero.
     """
     found: Product = []
+    pivots: list[Divisor] = []
     waiting = [list(rows)]
     while waiting:
         whole = waiting.pop()
@@ -48,11 +56,15 @@ def determinant(ring: TrigonometricRing, rows: Sequence[Row]) -> Product | None:
                 return None
             own = [_part(whole[k], block.columns) for k in block.rows]
             own = _without_contents(own, found)
+            own = [_divided(row, pivots, found) for row in own]
             value = _expanded(ring, own, _SHORT)
             if value is None:
                 smaller = _eliminated(ring, own, found)
                 if smaller is None or not all(smaller):
                     return None
+                pivot = found[-1][0]
+                if len(pivot) > 1:
+                    pivots.append(_divisor(ring, pivot))
                 waiting.append(smaller)
             elif value == 0:
                 return None
@@ -110,6 +122,32 @@ def _without_contents(rows: Sequence[Row], found: Product) -> list[Row]:
             if column in row:
                 row[column] = row[column] / content
     return left
+
+
+def _divisor(ring: TrigonometricRing, polynomial: Polynomial) -> Divisor:
+    layout = Layout.of(ring)
+    return Divisor(polynomial, ring, HalfAngles(ring, layout), layout)
+
+
+def _divided(row: Row, pivots: Sequence[Divisor], found: Product) -> Row:
+    """The row divided by earlier pivots, as often as they divide it [Bareiss1968].
+
+    Where sines and cosines make them no common factors of polynomials.
+    """
+    shortest = sorted(row, key=lambda c: len(row[c]))
+    for pivot in pivots:
+        while sum(map(len, row.values())) > _WORTH:
+            divided: Row = {}
+            for column in shortest:
+                quotient = pivot.divide(row[column])
+                if quotient is None:
+                    break
+                divided[column] = quotient
+            if len(divided) < len(row):
+                break
+            found.append((pivot.polynomial, 1))
+            row = divided
+    return row
 
 
 def _content(entries: Sequence[Polynomial]) -> Polynomial:
