@@ -52,3 +52,24 @@ def first_order(series: Series) -> int | None:
     if not series.length():
         return None
     return next(k for k, x in enumerate(series.coeffs()) if int(x))
+
+
+def double_root(values: Sequence[int], prime: int) -> int | None:
+    """The one double root of a polynomial with values at 0, 1, 2 …, if it has just one.
+
+    Args:
+        values: One more than its degree.
+        prime: The modulus.
+    """
+    total = nmod_poly([0], prime)
+    for k, value in enumerate(values):
+        term = nmod_poly([value], prime)
+        for other in range(len(values)):
+            if other != k:
+                term *= nmod_poly([-other, 1], prime)
+                term *= pow(k - other, -1, prime)
+        total += term
+    shared = total.gcd(total.derivative())
+    if shared.degree() != 1:
+        return None
+    return int(-int(shared[0]) * pow(int(shared[1]), -1, prime) % prime)

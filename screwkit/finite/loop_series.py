@@ -10,7 +10,7 @@ References: [Shafarevich2013] ch. 4 §1 (intersection numbers).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -47,6 +47,20 @@ class Curve:
 
     def order_of_failure(self, highest: int) -> int | None:
         """The first order at which an equation left fails; None up to ``highest``."""
+        for left, order in self._followed(highest):
+            orders = [first_order(value) for value in left]
+            found = min((k for k in orders if k is not None), default=None)
+            if found is not None or order > highest:
+                return found if found is not None and found <= highest else None
+        return None
+
+    def failing_by(self, order: int) -> list[int]:
+        """The coefficients of the equations left at an order, where none is before."""
+        *_, (left, _) = self._followed(order)
+        return [int(value[order]) for value in left]
+
+    def _followed(self, highest: int) -> Iterator[tuple[list[Series], int]]:
+        """The equations left along the curve, cut off at orders that double."""
         prime = self.graph.prime
         jacobian = self._constant_jacobian()
         inverse = _inverse(jacobian, prime)
@@ -61,10 +75,9 @@ class Curve:
             for parameter, row in zip(self.dependent, y, strict=True):
                 x[parameter] = x[parameter] - _dot(ring, row, left)
             loops = _Loops(self, ring, x)
-            orders = [first_order(v) for v in loops.values(self.others)]
-            found = min((k for k in orders if k is not None), default=None)
-            if found is not None or ring.order > highest:
-                return found if found is not None and found <= highest else None
+            yield loops.values(self.others), ring.order
+            if ring.order > highest:
+                return
             # Newton: X ← X (2 − J X) keeps the inverse as long as the solution is.
             product = _product(ring, loops.jacobian(), y)
             for i, row in enumerate(product):

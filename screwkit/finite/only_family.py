@@ -71,7 +71,7 @@ def only_family(
         f"rates, and a smooth family of dimension {bound} keeps the loops closed"
     )
     for family in smooth_subfamilies(block, rates):
-        if _rank_on(block, family) == block.rank:
+        if rank_on(block, family) == block.rank:
             told = (
                 f"{there}; the rank stays the same on it, so that no other postures "
                 f"are around"
@@ -109,7 +109,7 @@ def _without_second_order(
     return found
 
 
-def _rank_on(block: ChainGraph, closing: Closing) -> int | None:
+def rank_on(block: ChainGraph, closing: Closing) -> int | None:
     """The rank at a random posture of a family whose loops all close identically."""
     if not closing.identical:
         return None

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from screwkit.finite.chain_graph import ChainGraph
 from screwkit.finite.closing_groups import Closing, all_postures, smooth_family
+from screwkit.finite.double_family import double_family
 from screwkit.finite.higher_order import (
     cone_dimension,
     continuation,
@@ -119,6 +120,8 @@ def proved_by_order(
     only = only_family(block, forms, bound) if bound < block.mobility else None
     if only is not None:
         return Proved(bound, only.reason, only.closing, only.whole)
+    if not forms and all_postures(block).deficit == 1:
+        return _of_double_family(blocks, postures, followed.fails_at)
     twins = second_order_forms(blocks[1])
     real = real_forms(postures, (forms, twins)) if forms else None
     return None if real is None else _of_real_forms(block, real)
@@ -165,6 +168,34 @@ def _of_real_forms(block: ChainGraph, real: Sequence[Matrix]) -> Proved | None:
         f"beyond first order one equation is left for the {block.mobility}-dimensional "
         f"joint rates, and its second-order part takes both signs: {where}",
     )
+
+
+def _of_double_family(
+    blocks: tuple[ChainGraph, ChainGraph],
+    postures: tuple[ExactPosture, ExactPosture],
+    order: int,
+) -> Proved | None:
+    """By the other factor of an equation that vanishes twice on a family."""
+    one = double_family(blocks[0], order)
+    if one is None:
+        return None
+    one_less = blocks[0].mobility - 1
+    told = (
+        f"beyond first order one equation is left for the {blocks[0].mobility}-"
+        f"dimensional joint rates, which begins at order {order} and vanishes twice on "
+        f"a smooth family of dimension {one_less} that keeps the loops closed; its "
+        f"other factor"
+    )
+    ends = f": every branch through this posture has dimension {one_less}"
+    if order == 3:
+        return Proved(one_less, f"{told} is regular{ends}", one.closing)
+    two = double_family(blocks[1], order)
+    if one.rest is None or two is None or two.rest is None:
+        return None
+    real = real_forms(postures, ([one.rest], [two.rest]))
+    if real is None or not indefinite(real[0]):
+        return None
+    return Proved(one_less, f"{told} takes both signs{ends}", one.closing)
 
 
 _SHAKY = f"no joint rates keep the loops closed to second order: {_ISOLATED}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from screwkit.algebra.series_modulo import SeriesRing, first_order
+from screwkit.algebra.series_modulo import SeriesRing, double_root, first_order
 
 PRIME = 2**61 - 1
 RING = SeriesRing(PRIME, 8)
@@ -35,3 +35,12 @@ def test_reciprocal_of_the_geometric_series() -> None:
 def test_first_order() -> None:
     assert first_order(RING.series([])) is None
     assert first_order(RING.series([0, 0, 5, 1])) == 2
+
+
+def test_the_one_double_root_is_found_from_values() -> None:
+    """(x − 5)² (x² + x + 3); with another square beside it there are two."""
+    values = [(x - 5) ** 2 * (x * x + x + 3) for x in range(5)]
+    assert double_root([v % PRIME for v in values], PRIME) == 5
+    twice = [(x - 5) ** 2 * (x - 2) ** 2 for x in range(5)]
+    assert double_root(twice, PRIME) is None
+    assert double_root([x * x + x + 3 for x in range(3)], PRIME) is None
