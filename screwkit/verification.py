@@ -133,7 +133,7 @@ def _changes(source: Source) -> dict[str, Any]:
 
 
 def _parts(document: Certificate) -> tuple[VerifiedPart, ...]:
-    from screwkit.certificates.checking import name_of  # noqa: PLC0415
+    from screwkit.certificates.findings import name_of  # noqa: PLC0415
 
     return tuple(
         VerifiedPart(

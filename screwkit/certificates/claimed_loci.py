@@ -7,6 +7,7 @@ from itertools import islice
 
 from screwkit.algebra.all_roots import NoResidueError
 from screwkit.algebra.exact_point import PointRing
+from screwkit.certificates.irreducible_equations import Shape, shape_of
 from screwkit.certificates.postures import POINTS, Postures, Way
 from screwkit.certificates.records import Locus
 from screwkit.certificates.screw_matrix import ScrewMatrix
@@ -26,8 +27,11 @@ class ClaimedLoci:
     def __init__(self, postures: Postures, matrix: ScrewMatrix, sheets: Sheets) -> None:
         self._postures, self._matrix, self._sheets = postures, matrix, sheets
         self._part = postures.part
+        self._seen: dict[tuple[str, ...], list[tuple[int, int | None]]] = {}
         self.sampled: dict[tuple[str, ...], None] = {}
         """Equations of components of which only some postures were seen."""
+        self.irreducible: dict[tuple[str, ...], None] = {}
+        """Equations of components that were shown to be no product."""
 
     def generic(self) -> None:
         """Check the rank in general, and that a scheme stops the platform.
@@ -56,12 +60,12 @@ class ClaimedLoci:
         """
         if not locus.equations or not locus.reach:
             raise RefusedError("it has no equation or no posture")
-        seen = [*self._on_sheets(locus)]
         for point in self._points_of(locus):
-            for text in locus.equations:
-                if point.value(read(text)) != 0:
-                    raise RefusedError("its postures do not satisfy its equations")
-            seen.append(self._numbers(point))
+            if any(point.value(read(text)) != 0 for text in locus.equations):
+                raise RefusedError("its postures do not satisfy its equations")
+        seen = self._seen.pop(locus.equations, [])
+        if not seen or locus.equations in self.sampled:
+            seen += [self._numbers(point) for point in self._points_of(locus)]
         ranks = [rank for rank, _ in seen]
         freedoms = [own for _, own in seen if own is not None]
         if max(ranks) >= self._part.rank:
@@ -73,17 +77,38 @@ class ClaimedLoci:
         if self._part.question == "actuation" and (locus.freedom > 0) != moves:
             raise RefusedError("the platform is said to move where it does not")
 
-    def _on_sheets(self, locus: Locus) -> list[tuple[int, int | None]]:
-        """The numbers on all sheets, as far as they are met."""
-        if len(locus.equations) == 1:
-            try:
-                return self._sheets.on(
-                    Way(), locus.equations[0], lambda _, there: self._numbers(there)
-                )
-            except NoResidueError:
-                pass
-        self.sampled[locus.equations] = None
-        return []
+    def equation(self, locus: Locus) -> None:
+        """Look at all sheets of a component of one equation.
+
+        Raises:
+            RefusedError: If it is a product.
+        """
+        (text,) = locus.equations
+        shape = shape_of(self._sheets, text)
+        if shape is Shape.PRODUCT:
+            raise RefusedError("its equation is a product")
+        if shape is Shape.IRREDUCIBLE:
+            self.irreducible[locus.equations] = None
+        self._look(locus, Way(), text)
+
+    def sheet(self, locus: Locus, way: Way) -> None:
+        """Look at all sheets of a way on which the equations of a component hold.
+
+        Where several conditions meet it is said that only some postures were seen.
+        """
+        active = self._sheets.active(way)
+        if len(active) > 1:
+            self.sampled[locus.equations] = None
+        else:
+            self._look(locus, way, next(iter(active), None))
+
+    def _look(self, locus: Locus, way: Way, text: str | None) -> None:
+        try:
+            seen = self._sheets.on(way, text, lambda _, there: self._numbers(there))
+        except NoResidueError:
+            self.sampled[locus.equations] = None
+        else:
+            self._seen.setdefault(locus.equations, []).extend(seen)
 
     def _numbers(self, point: PointRing) -> tuple[int, int | None]:
         """The rank at a posture and the freedom of the platform."""
