@@ -160,6 +160,7 @@ class _PartCheck:
         else:
             self._covered = locus
             self._node(locus.cover, Way(conditions=locus.equations))
+            self._loci.covered(locus, locus.cover)
             self._covered = None
             self._finished.clear()
             self._met.clear()

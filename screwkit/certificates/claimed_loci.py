@@ -9,7 +9,7 @@ from screwkit.algebra.all_roots import NoResidueError
 from screwkit.algebra.exact_point import PointRing
 from screwkit.certificates.irreducible_equations import Shape, shape_of
 from screwkit.certificates.postures import POINTS, Postures, Way
-from screwkit.certificates.records import Locus
+from screwkit.certificates.records import Locus, Node
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.texts import RefusedError, read
@@ -28,6 +28,7 @@ class ClaimedLoci:
         self._postures, self._matrix, self._sheets = postures, matrix, sheets
         self._part = postures.part
         self._seen: dict[tuple[str, ...], list[tuple[int, int | None]]] = {}
+        self._products: set[tuple[str, ...]] = set()
         self.sampled: dict[tuple[str, ...], None] = {}
         """Equations of components of which only some postures were seen."""
         self.irreducible: dict[tuple[str, ...], None] = {}
@@ -99,8 +100,17 @@ class ClaimedLoci:
         active = self._sheets.active(way)
         if len(active) > 1:
             self.sampled[locus.equations] = None
-        else:
-            self._look(locus, way, next(iter(active), None))
+            return
+        text = next(iter(active), None)
+        if text and shape_of(self._sheets, text, way) is not Shape.IRREDUCIBLE:
+            self._products.add(locus.equations)
+        self._look(locus, way, text)
+
+    def covered(self, locus: Locus, cover: Node) -> None:
+        """Note what is known of a component when all of its tree was looked at."""
+        left = self._products | {*self.sampled}
+        if locus.equations not in left and _has_one_case(cover):
+            self.irreducible[locus.equations] = None
 
     def _look(self, locus: Locus, way: Way, text: str | None) -> None:
         try:
@@ -136,3 +146,14 @@ class ClaimedLoci:
                         f"component {' = 0, '.join(locus.equations)} = 0 lies in "
                         f"another one"
                     )
+
+
+def _has_one_case(node: Node) -> bool:
+    """Whether one equation after the other is solved, none of them in two ways.
+
+    Opposite values of an angle count as one way, as in sin q = 0.
+    """
+    going = [case for case in node.cases if not case.end]
+    below = [sheet.node for case in going for sheet in case.sheets]
+    below += [case.kept for case in going if case.kept is not None]
+    return len(going) < 2 and all(map(_has_one_case, below))

@@ -29,22 +29,25 @@ class Shape(Enum):
     UNKNOWN = "perhaps a product"
 
 
-def shape_of(sheets: Sheets, text: str) -> Shape:
+def shape_of(sheets: Sheets, text: str, way: Way | None = None) -> Shape:
     """What common divisors and restrictions say about an equation.
 
     Args:
         sheets: Restrict expressions of one part of a certificate.
         text: The left side of the equation.
+        way: Its steps are followed before; its conditions are not asked for.
 
     Raises:
         RefusedError: If it has too high a degree.
     """
-    way = Way()
+    way = way or Way()
     met = sheets.meeting_all(way, text)
     if len(met) != 1:
         return Shape.PRODUCT if met else Shape.UNKNOWN
     _, unknown, numerator = met[0]
-    degree, step = numerator.degree(), 1 if isinstance(unknown, str) else 2
+    # What steps divide by may have taken a factor of odd degree away.
+    step = 1 if isinstance(unknown, str) or way.steps else 2
+    degree = numerator.degree()
     possible = {*range(0, degree + 1, step)}
     for _ in range(TRIED):
         if possible == {0, degree}:

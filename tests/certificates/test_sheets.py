@@ -356,15 +356,18 @@ def test_all_sheets_of_several_equations_are_met_by_a_tree() -> None:
     def part(locus: Locus) -> Part:
         return Part("limb", "ground", (), 2, (locus,), limb="limb_1")
 
+    def found(locus: Locus) -> Findings:
+        mechanism = load_text(AT_ONE_POINT).mechanism
+        return check(certificate(AT_ONE_POINT, part(locus)), mechanism, 1)[0]
+
     def sampled(locus: Locus) -> tuple[tuple[str, ...], ...]:
-        (found,) = check(
-            certificate(AT_ONE_POINT, part(locus)),
-            load_text(AT_ONE_POINT).mechanism,
-            1,
-        )
-        return found.sampled_components
+        return found(locus).sampled_components
+
+    def irreducible(locus: Locus) -> tuple[tuple[str, ...], ...]:
+        return found(locus).irreducible
 
     assert not sampled(right)
+    assert irreducible(right)
     assert sampled(replace(right, cover=None)) == (("x", "y"),)
     # x·(y − 1) = 0 = y·(x − 2) holds at (2, 1) too, where the rank is 2.
     apart = replace(right, equations=("x*(y - 1)", "y*(x - 2)"), cover=None)
