@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import secrets
+from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +14,7 @@ from screwkit.results.verification import Verification, VerifiedPart
 
 if TYPE_CHECKING:
     from screwkit.case import Case
+    from screwkit.certificates.findings import Findings
     from screwkit.certificates.records import Certificate, Node, Source
 
 
@@ -104,10 +106,10 @@ def verify(
         return Verification(document.case, carried.title, False, (), reason)
     progress("checking", f"{len(document.parts)} parts")
     try:
-        check(document, carried, secrets.randbits(64))
+        found = check(document, carried, secrets.randbits(64))
     except (RefusedError, ScrewkitError) as refusal:
         return Verification(document.case, carried.title, False, (), str(refusal))
-    parts = _parts(document)
+    parts = _parts(document, found)
     return Verification(document.case, carried.title, True, parts, assumptions=assumed)
 
 
@@ -142,19 +144,35 @@ def _changes(source: Source) -> dict[str, Any]:
     }
 
 
-def _parts(document: Certificate) -> tuple[VerifiedPart, ...]:
-    from screwkit.certificates.checking import name_of  # noqa: PLC0415
+def _parts(
+    document: Certificate, findings: Sequence[Findings]
+) -> tuple[VerifiedPart, ...]:
+    from screwkit.certificates.findings import name_of  # noqa: PLC0415
 
-    return tuple(
-        VerifiedPart(
-            name_of(part),
-            part.proof is not None,
-            len(part.components),
-            0 if part.proof is None else _nodes(part.proof),
-            part.reason,
+    parts = []
+    for part, found in zip(document.parts, findings, strict=True):
+        equations = [locus.equations for locus in (*part.components, *part.idle)]
+
+        def numbers(
+            chosen: Collection[tuple[str, ...]],
+            known: list[tuple[str, ...]] = equations,
+        ) -> tuple[int, ...]:
+            return tuple(n for n, own in enumerate(known, 1) if own in chosen)
+
+        parts.append(
+            VerifiedPart(
+                name_of(part),
+                part.proof is not None,
+                len(part.components),
+                0 if part.proof is None else _nodes(part.proof),
+                part.reason,
+                numbers(found.irreducible),
+                numbers(found.real),
+                numbers(found.sampled_components),
+                found.sampled_conditions,
+            )
         )
-        for part in document.parts
-    )
+    return tuple(parts)
 
 
 def _nodes(node: Node) -> int:

@@ -6,9 +6,11 @@ derived anew.
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
+from screwkit.algebra.angle_basis import inverse_forms
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.factor_library import FactorLibrary
@@ -18,12 +20,15 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.certificates.checking import checked
 from screwkit.certificates.conditions import Problem
+from screwkit.certificates.covers import cover_of
 from screwkit.certificates.derivation import proof_of
 from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.minor_choice import Matrix
+from screwkit.certificates.real_postures import RealPostures, sides_of
 from screwkit.certificates.records import (
     Certificate,
     Locus,
+    Node,
     Part,
     Reach,
     Source,
@@ -211,6 +216,14 @@ class _Derivation:
         self._library = subject.library
         declared = subject.root.assumptions
         self._signs = Signs(declared.positive, declared.positive | declared.nonzero)
+        basis = self._ring.basis
+        self._real = RealPostures(
+            {name: dict(own) for name, own in inverse_forms(basis).items()},
+            len(basis),
+            [name for name in self._ring.symbols if name != "pi"],
+            self._signs.positive,
+            self._signs.nonzero,
+        )
 
     def part(
         self,
@@ -297,12 +310,20 @@ class _Derivation:
         freedom = -1
         if not self._matrix.single:
             freedom = min(self._matrix.freedom_at(*at) for at in points)
-        return Locus(
+        locus = Locus(
             component.equations,
             max(self._matrix.rank_at(*at) for at in points),
             freedom,
             tuple(_reach(branch) for branch in branches),
+            self._cover(equations),
         )
+        return sides_of(self._real, locus, random.Random(11))
+
+    def _cover(self, equations: tuple[Polynomial, ...]) -> Node | None:
+        """A tree to all sheets of several equations, where one is found."""
+        if len(equations) < 2:
+            return None
+        return cover_of(self._problem((), "constraint"), equations)
 
     def _branches(
         self, equations: tuple[Polynomial, ...], codimension: int

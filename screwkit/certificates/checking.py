@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from screwkit.algebra.exact_point import PointRing
@@ -20,12 +20,15 @@ from screwkit.algebra.expression import Expression
 from screwkit.algebra.expression_building import symbols_of
 from screwkit.algebra.modular import ResampleError
 from screwkit.certificates.claimed_loci import ClaimedLoci
+from screwkit.certificates.findings import Findings, name_of
 from screwkit.certificates.general_claims import GeneralClaims
 from screwkit.certificates.graph_matrix import GraphMatrix
 from screwkit.certificates.postures import Postures, Way
+from screwkit.certificates.real_postures import RealPostures
 from screwkit.certificates.records import (
     Case,
     Certificate,
+    Locus,
     Multiple,
     Node,
     Part,
@@ -41,21 +44,6 @@ from screwkit.mechanism.model import Mechanism
 
 ATTEMPTS = 8
 """Choices of postures before a part is given up."""
-
-
-@dataclass(frozen=True)
-class Findings:
-    """What a part rests on besides what was checked everywhere.
-
-    Attributes:
-        sampled_components: Equations of components that were seen at some of their
-            postures; on other sheets of them, if there are any, ranks may be larger.
-        sampled_conditions: Conditions that meet in the proof, where what was seen at
-            some postures need not hold on other sheets, if there are any.
-    """
-
-    sampled_components: tuple[tuple[str, ...], ...] = ()
-    sampled_conditions: tuple[tuple[str, ...], ...] = ()
 
 
 def check(
@@ -99,15 +87,6 @@ def checked(mechanism: Mechanism, part: Part, seed: str) -> Findings:
     raise RefusedError("roots or inverses in it do not exist at random postures")
 
 
-def name_of(part: Part) -> str:
-    """What a part is about, in words."""
-    if part.question == "limb":
-        return f"limb {part.limb}"
-    if part.locked:
-        return f"{part.question} with {', '.join(part.locked)} locked"
-    return part.question
-
-
 class _PartCheck:
     """One part of a certificate under examination."""
 
@@ -131,8 +110,17 @@ class _PartCheck:
             self._postures, self._matrix, self._sheets, self._dimensions
         )
         self._solutions = Solutions(self._postures, self._signs)
+        self._loci = ClaimedLoci(self._postures, self._matrix, self._sheets)
+        self._real = RealPostures(
+            self._postures.declared,
+            len(part.angles),
+            [name for name in self._postures.symbols if name != "pi"],
+            self._signs.positive,
+            self._signs.nonzero,
+        )
         self._finished: dict[int, Way] = {}
         self._met: set[int] = set()
+        self._covered: Locus | None = None
 
     def all(self) -> Findings:
         """Check the part."""
@@ -143,17 +131,45 @@ class _PartCheck:
             raise RefusedError("only actuation locks joints")
         loci = self._loci
         loci.generic()
+        real = []
         for number, locus in enumerate((*part.components, *part.idle)):
             moves = number < len(part.components)
             try:
+                self._cover(locus)
                 loci.component(locus, moves=moves)
+                if self._real.shown(locus) and self._is_everywhere():
+                    real.append(locus.equations)
             except RefusedError as refusal:
                 text = " = 0, ".join(locus.equations)
                 raise RefusedError(f"component {text} = 0: {refusal}") from None
         if part.proof is not None:
             loci.none_inside_another()
             self._node(part.proof, Way())
-        return Findings(tuple(loci.sampled), tuple(self._general.sampled))
+        return Findings(
+            tuple(loci.irreducible),
+            tuple(real),
+            tuple(loci.sampled),
+            tuple(self._general.sampled),
+        )
+
+    def _is_everywhere(self) -> bool:
+        """Whether the geometry exists wherever angles and symbols have values."""
+        never_zero = self._signs.never_zero
+        return self._postures.plain and all(map(never_zero, self._postures.divisors))
+
+    def _cover(self, locus: Locus) -> None:
+        """Meet all sheets of a component, by a tree of its own where there is one."""
+        if len(locus.equations) == 1:
+            self._loci.equation(locus)
+        elif locus.cover is None:
+            self._loci.sampled[locus.equations] = None
+        else:
+            self._covered = locus
+            self._node(locus.cover, Way(conditions=locus.equations))
+            self._loci.covered(locus, locus.cover)
+            self._covered = None
+            self._finished.clear()
+            self._met.clear()
 
     # -- the tree --------------------------------------------------------------------
 
@@ -170,7 +186,13 @@ class _PartCheck:
         self._finished[node.number] = way
 
     def _examined(self, node: Node, way: Way) -> None:
-        if node.component >= 0:
+        if self._covered is not None and (node.component >= 0 or node.columns):
+            raise RefusedError("it says nothing about a component's own postures")
+        if node.sheet:
+            if self._covered is None:
+                raise RefusedError("nothing is said of it")
+            self._loci.sheet(self._covered, way)
+        elif node.component >= 0:
             self._on_component(node, way)
         elif node.earlier >= 0:
             self._in_earlier(node, way)

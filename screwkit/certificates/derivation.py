@@ -55,7 +55,16 @@ _Candidate: TypeAlias = tuple[int, int, Minor, list[tuple[Factor, int]]]
 
 
 @dataclass
-class _Search(Conditions):
+class ProofSearch(Conditions):
+    """One proof under way.
+
+    Attributes:
+        rank: Of the matrix in general.
+        count: Nodes so far.
+        finished: Their numbers, with what tells their postures.
+        source: Of the choice of minors.
+    """
+
     rank: int
     count: int = 0
     finished: list[tuple[int, tuple[Polynomial, ...]]] = field(default_factory=list)
@@ -333,4 +342,4 @@ def proof_of(problem: Problem) -> Node:
     if not points:
         raise NotProvedError("the mechanism has no exact posture")
     rank = max(problem.matrix.rank_at(*at) for at in points)
-    return _Search(problem, rank).node(Place(problem.root))
+    return ProofSearch(problem, rank).node(Place(problem.root))

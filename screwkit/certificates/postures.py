@@ -68,6 +68,12 @@ class Postures:
         part: Says which frame, which basis angles and which matrix.
         source: Of randomness; whoever wrote the certificate must not know it.
 
+    Attributes:
+        declared: Each declared angle as an integer combination of basis angles.
+        symbols: What the geometry depends on besides angles.
+        divisors: What the geometry divides by.
+        plain: Whether it has no roots of symbols and no angles in numbers.
+
     Raises:
         RefusedError: If the part does not fit the mechanism.
     """
@@ -85,8 +91,12 @@ class Postures:
         roots = [*radicands, *map(Fraction, self._field.primes), *radicands_of(part)]
         self.prime = prime_for(seen.turn, roots, source.randrange(2**60))
         wanted = {*seen.angles, *map(str, seen.constant_angles)}
-        self._declared = _declared(part.angles, wanted)
+        self.declared = _declared(part.angles, wanted)
         self.symbols = tuple(seen.symbols)
+        self.divisors = tuple(seen.divisors)
+        self.plain = not seen.constant_angles and all(
+            isinstance(root, Number) for root in seen.roots
+        )
         self._may_fail = bool(seen.roots or seen.divisors or part.scales)
         self._roots = Roots(self.prime, source)
         self._first: PointRing | None = None
@@ -194,8 +204,16 @@ class Postures:
         """Basis angles and symbols on which expressions may depend after the steps."""
         told = [t for s in way.steps for t in (s.sine, s.cosine, s.value, s.over) if t]
         names = {n for text in (*texts, *told) for n in names_in(text)}
-        angles = {k for n in names & {*self._declared} for k in self._declared[n]}
+        angles = {k for n in names & {*self.declared} for k in self.declared[n]}
         return [*sorted(angles), *(n for n in self.symbols if n in names)]
+
+    def another(self) -> PointRing:
+        """A random point that was not drawn before.
+
+        Raises:
+            RefusedError: If none is found in many attempts.
+        """
+        return self._drawing(Way(), (), 0)[0]
 
     def turn(self) -> Turn:
         """A random point of the circle."""
@@ -206,7 +224,7 @@ class Postures:
         return PointRing(
             p,
             self._field,
-            self._declared,
+            self.declared,
             [random_turn(source, p) for _ in self.part.angles],
             {name: random_residue(source, p) for name in self.symbols},
             self._first,
@@ -264,7 +282,7 @@ class Postures:
         directions = [*range(len(point.turns)), *point.numbers]
         rows = []
         for direction in directions:
-            ring = DualRing.along(point, self._declared, direction)
+            ring = DualRing.along(point, self.declared, direction)
             choices = point.sheet
             for step in reversed(way.steps):
                 if step.kind == "numbers":

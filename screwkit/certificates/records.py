@@ -142,6 +142,7 @@ class Node:
         earlier: All of them belong to this node, which was finished before.
         axis: Nothing is there, because the axis of this freedom has no direction.
         special: The dimensions of the mechanism are tied to each other there.
+        sheet: It is a sheet of the component whose postures the tree covers.
         roots: How its unsolved conditions are met, where postures on them are needed.
         impossible: A condition that cannot hold here, by the signs of its terms.
         impossible_value: What the condition is here, up to divisors of steps.
@@ -160,6 +161,7 @@ class Node:
     earlier: int = -1
     axis: str = ""
     special: bool = False
+    sheet: bool = False
     roots: tuple[Unsolved, ...] = ()
     impossible: int = -1
     impossible_value: str = ""
@@ -181,6 +183,19 @@ class Reach:
 
 
 @dataclass(frozen=True)
+class Side:
+    """A real posture in rational numbers.
+
+    Attributes:
+        tangents: Of half of each basis angle.
+        symbols: Values by name.
+    """
+
+    tangents: tuple[str, ...]
+    symbols: Mapping[str, str]
+
+
+@dataclass(frozen=True)
 class Locus:
     """A component.
 
@@ -190,12 +205,18 @@ class Locus:
         freedom: Of the platform there, with the actuated joints locked; −1 for limbs
             that are chains.
         reach: Its sheets.
+        cover: Of several equations: a tree that starts with all of them as conditions
+            and leads to its sheets.
+        sides: Of one equation: two real postures at which it has different signs; where
+            the first reach solves all: one, for what the steps leave free; or none.
     """
 
     equations: tuple[str, ...]
     rank: int
     freedom: int
     reach: tuple[Reach, ...]
+    cover: Node | None = None
+    sides: tuple[Side, ...] = ()
 
 
 @dataclass(frozen=True)

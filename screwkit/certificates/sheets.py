@@ -34,7 +34,7 @@ class Sheets:
     """
 
     def __init__(self, postures: Postures, source: random.Random) -> None:
-        self._postures, self._source = postures, source
+        self.postures, self._source = postures, source
 
     def on(
         self,
@@ -55,16 +55,16 @@ class Sheets:
         results = []
         for before in self.choices(way):
             if text is None:
-                results.append(found(before, self._postures.moved(before, way)))
+                results.append(found(before, self.postures.moved(before, way)))
                 continue
-            for start, unknown, numerator in self._numerators_of(way, text, before):
+            for start, unknown, numerator in self.meeting_all(way, text, before):
 
                 def at(
                     root: Any, start: PointRing = start, unknown: Unknown = unknown
                 ) -> list[T]:
                     try:
                         moved = placed(start, unknown, root)
-                        there = self._postures.moved(moved, way)
+                        there = self.postures.moved(moved, way)
                     except (ResampleError, ZeroDivisionError):
                         return []  # outside of the chart: no real posture
                     return [found(moved, there)]
@@ -75,33 +75,47 @@ class Sheets:
     def choices(self, way: Way) -> Iterator[PointRing]:
         """A random point before the steps for every choice of solutions in numbers."""
         count = sum(step.kind == "numbers" for step in way.steps)
-        yield from self._postures.several_before(way)[: 2**count]
+        yield from self.postures.several_before(way)[: 2**count]
 
     def active(self, way: Way) -> tuple[str, ...]:
         """The conditions of a way that its steps do not fulfil."""
-        points = [self._postures.moved(b, way) for b in self.choices(way)]
+        points = [self.postures.moved(b, way) for b in self.choices(way)]
         return tuple(
             text
             for text in dict.fromkeys(way.conditions)
             if any(point.value(read(text)) != 0 for point in points)
         )
 
-    def _numerators_of(
-        self, way: Way, text: str, before: PointRing
-    ) -> Iterator[tuple[PointRing, Unknown, Any]]:
-        """Unknowns and the polynomials in them whose roots meet every sheet."""
-        unknowns = self._postures.unknowns_of([text], way)
+    def meeting_all(
+        self, way: Way, text: str, before: PointRing | None = None
+    ) -> list[tuple[PointRing, Unknown, Any]]:
+        """Unknowns and the polynomials in them whose roots meet every sheet.
+
+        More than one where some factor of the expression lacks the first unknown.
+
+        Args:
+            way: Its steps are followed.
+            text: Of the expression.
+            before: The other unknowns have its values; if left out, random ones.
+
+        Raises:
+            RefusedError: If the expression has too high a degree.
+        """
+        before = next(self.choices(way)) if before is None else before
+        found = []
+        unknowns = self.postures.unknowns_of([text], way)
         left = self.restricted(way, text, before, unknowns)
         other = before
         while left:
             unknown = min(left, key=lambda u: (left[u].degree(), str(u)))
-            yield before, unknown, left.pop(unknown)
+            found.append((before, unknown, left.pop(unknown)))
             # A factor without the unknowns that were moved stays when they change.
-            value = random_residue(self._source, self._postures.prime)
+            value = random_residue(self._source, self.postures.prime)
             other = placed(other, unknown, value)
             there = self.restricted(way, text, other, left)
             shared = {u: left[u].gcd(there[u]) for u in left if u in there}
             left = {u: own for u, own in shared.items() if own.degree() > 0}
+        return found
 
     def restricted(
         self,
@@ -125,12 +139,12 @@ class Sheets:
         def value(place: Any) -> Any:
             try:
                 moved = placed(before, unknown, place)
-                return self._postures.moved(moved, way).value(expression)
+                return self.postures.moved(moved, way).value(expression)
             except (ResampleError, ZeroDivisionError):
                 return None
 
         try:
-            return fraction_of(value, self._source, self._postures.prime)[0]
+            return fraction_of(value, self._source, self.postures.prime)[0]
         except NoFractionError:
             raise RefusedError(f"{text} has too high a degree") from None
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
 from screwkit.algebra.names import counted
 from screwkit.reports.blocks import Block, Paragraph, words
 from screwkit.results.verification import Verification, VerifiedPart
@@ -13,11 +15,34 @@ def verification_blocks(answer: Verification) -> tuple[Block, ...]:
         return (Paragraph(words(f"refused: {answer.reason}"), 1),)
     every = all(part.proved for part in answer.parts)
     said = "accepted: every list is complete" if every else "accepted, with open lists"
+    if every and any(part.sampled_conditions for part in answer.parts):
+        said = "accepted: every list is complete, with the reservation below"
     lines = [Paragraph(words(said), 1)]
-    lines += [Paragraph(words(_line(part)), 2) for part in answer.parts]
+    for part in answer.parts:
+        lines.append(Paragraph(words(_line(part)), 2))
+        lines += [Paragraph(words(text), 3) for text in _remarks(part)]
     if answer.assumptions:
         lines.append(Paragraph(words(f"assumed: {', '.join(answer.assumptions)}"), 1))
     return tuple(lines)
+
+
+def _remarks(part: VerifiedPart) -> Iterator[str]:
+    """What was not shown."""
+    if part.sampled:
+        yield f"seen on some sheets only: {_named(part.sampled)}"
+    every = range(1, part.components + 1)
+    for text, shown in (
+        ("not shown to be irreducible", part.irreducible),
+        ("no real posture shown", part.real),
+    ):
+        left = tuple(number for number in every if number not in shown)
+        if left:
+            yield f"{text}: {_named(left)}"
+
+
+def _named(numbers: Sequence[int]) -> str:
+    listed = ", ".join(map(str, numbers))
+    return f"component{'s' if len(numbers) > 1 else ''} {listed}"
 
 
 def _line(part: VerifiedPart) -> str:
@@ -26,7 +51,12 @@ def _line(part: VerifiedPart) -> str:
         listed = "no singularity"
     if part.proved:
         nodes = counted(part.nodes, "node")
-        return f"{part.name}: {listed}, complete by a proof of {nodes}"
+        said = f"{part.name}: {listed}, complete by a proof of {nodes}"
+        met = len(part.sampled_conditions)
+        if met:
+            where = counted(met, "of them", "of them")
+            said += f", if sheets that were not seen at {where} are like those seen"
+        return said
     held = "holds" if part.components == 1 else "hold"
     if not part.components:
         return f"{part.name}: not proved complete ({part.reason})"

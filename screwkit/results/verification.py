@@ -18,6 +18,13 @@ class VerifiedPart:
         components: How many it lists.
         nodes: Of the proof.
         reason: Why there is no proof.
+        irreducible: Components that were shown to be no product, by number from 1 in
+            the order of the certificate, those on which only limbs move behind.
+        real: Components that were shown to have real postures.
+        sampled: Components of which only some postures were seen: on other sheets, if
+            there are any, the rank may not fall.
+        sampled_conditions: Conditions that meet in the proof, where what was seen at
+            some postures need not hold on other sheets, if there are any.
     """
 
     name: str
@@ -25,6 +32,10 @@ class VerifiedPart:
     components: int
     nodes: int
     reason: str = ""
+    irreducible: tuple[int, ...] = ()
+    real: tuple[int, ...] = ()
+    sampled: tuple[int, ...] = ()
+    sampled_conditions: tuple[tuple[str, ...], ...] = ()
 
 
 @dataclass(frozen=True, repr=False)

@@ -13,7 +13,10 @@ import pytest
 from screwkit.algebra.all_roots import rank_at_roots
 from screwkit.case import load_text
 from screwkit.certificates.checking import check
+from screwkit.certificates.findings import Findings
+from screwkit.certificates.irreducible_equations import Shape, shape_of
 from screwkit.certificates.postures import Postures, Way
+from screwkit.certificates.real_postures import RealPostures
 from screwkit.certificates.records import (
     Case,
     Certificate,
@@ -22,6 +25,7 @@ from screwkit.certificates.records import (
     Part,
     Reach,
     Sheet,
+    Side,
     Source,
     Step,
     Unsolved,
@@ -242,3 +246,146 @@ def test_changes_are_those_of_the_solution_in_numbers() -> None:
     for point in islice(drawer.drawn_before(way), 3):
         changes = [row[0] for row in drawer.changes(point, way, ["a*cos(q)"])]
         assert [x for x in changes if x != 0] == [point.rational(Fraction(3, 5))]
+
+
+# -- what is seen besides ------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("text", "shape"),
+    [
+        ("a*b - c", Shape.IRREDUCIBLE),
+        ("sin(q)", Shape.IRREDUCIBLE),  # no product of polynomials in sin q and cos q
+        ("a*sin(q) + cos(q) - b", Shape.IRREDUCIBLE),
+        ("4*(a - b)^2 - c^2 - 1", Shape.IRREDUCIBLE),
+        ("a^4 - 2*b^2*a^2 + c", Shape.IRREDUCIBLE),
+        ("a*sin(q)", Shape.PRODUCT),
+        ("(a*b - c)*(a^2 + 1)", Shape.PRODUCT),
+        ("(a*b - c)*(a + b + c)", Shape.UNKNOWN),
+        ("(a*b - c)^2", Shape.UNKNOWN),
+        ("(a*sin(q) - b)*(b*cos(q) - a)", Shape.UNKNOWN),
+    ],
+)
+def test_products_are_not_called_irreducible(text: str, shape: Shape) -> None:
+    assert shape_of(Sheets(postures(), random.Random(5)), text) is shape
+
+
+def test_a_component_that_is_a_product_is_refused() -> None:
+    """Both sin q = 0 and a = b are singular: two components, not one."""
+    one = replace(IN_LINE, equations=("(a - b)*sin(q)",))
+    with pytest.raises(RefusedError, match="product"):
+        judged(TWO_LENGTHS, limb(one))
+
+
+def side(tangent: str, **symbols: str) -> Side:
+    return Side((tangent,), {"a": "1", "b": "2", "c": "1"} | symbols)
+
+
+def findings(locus: Locus) -> Findings:
+    (found,) = check(
+        certificate(TWO_LENGTHS, limb(locus)), load_text(TWO_LENGTHS).mechanism, 1
+    )
+    return found
+
+
+def test_real_postures_lie_between_two_signs_or_are_solved() -> None:
+    solved = replace(IN_LINE, sides=(side("1/3"),))
+    between = replace(IN_LINE, sides=(side("1/3"), side("-1/3")))
+    assert findings(IN_LINE) == Findings(irreducible=(("sin(q)",),))
+    assert findings(solved).real == findings(between).real == (("sin(q)",),)
+
+
+@pytest.mark.parametrize(
+    ("sides", "why"),
+    [
+        ((side("1/3"), side("2/3")), "both signs"),
+        ((side("0"), side("2/3")), "both signs"),
+        ((side("1/3"), side("-1/3", c="-1")), "cannot be"),
+        ((Side((), {"a": "1", "b": "2", "c": "1"}),), "lacks"),
+        ((Side(("1",), {"a": "1"}),), "lacks"),
+        ((side("1/3"),) * 3, "fit"),
+    ],
+)
+def test_false_real_postures_are_refused(sides: tuple[Side, ...], why: str) -> None:
+    with pytest.raises(RefusedError, match=why):
+        judged(TWO_LENGTHS, limb(replace(IN_LINE, sides=sides)))
+
+
+def test_a_real_posture_needs_real_solutions() -> None:
+    """5·sin q = 7 has none, 5·sin q = 3 has two."""
+    real = RealPostures({"q": {0: 1}}, 1, (), (), ())
+    for c, is_real in (("-3", True), ("-7", False)):
+        step = Step("numbers", angle=0, numbers=("5", "0", c))
+        locus = Locus(("x",), 0, -1, (Reach((step,)),), sides=(Side(("1",), {}),))
+        if is_real:
+            assert real.shown(locus)
+        else:
+            with pytest.raises(RefusedError, match="none"):
+                real.shown(locus)
+
+
+# -- components of several equations ---------------------------------------------------
+
+# Two conditions: joints 1 and 2 at one point (x, y) = 0.
+AT_ONE_POINT = f"""{HEAD}
+parameters: {{a: {{value: 1, positive: true}}}}
+variables: {{x: 1, y: 2}}
+joints:
+  - {{name: "1", type: revolute, parent: ground, child: arm, point: [0, 0]}}
+  - {{name: "2", type: revolute, parent: arm, child: fore, point: [x, y]}}
+  - {{name: "3", type: revolute, parent: fore, child: tip, point: [2*x, 2*y]}}
+"""
+
+
+def at_zero(symbol: str) -> Step:
+    return Step("symbol", symbol=symbol, value="0", over="1")
+
+
+def case(text: str, step: Step, node: Node) -> Case:
+    return Case((text,), 1, sheets=(Sheet(step, node),))
+
+
+def test_all_sheets_of_several_equations_are_met_by_a_tree() -> None:
+    """Rank 2 in general (in line), 1 where x = y = 0."""
+    reach = Reach((at_zero("x"), at_zero("y")))
+    leaf = Node(2, sheet=True)
+    inner = Node(1, condition=1, cases=(case("y", at_zero("y"), leaf),))
+    cover = Node(0, condition=0, cases=(case("x", at_zero("x"), inner),))
+    right = Locus(("x", "y"), 1, -1, (reach,), cover)
+
+    def part(locus: Locus) -> Part:
+        return Part("limb", "ground", (), 2, (locus,), limb="limb_1")
+
+    def found(locus: Locus) -> Findings:
+        mechanism = load_text(AT_ONE_POINT).mechanism
+        return check(certificate(AT_ONE_POINT, part(locus)), mechanism, 1)[0]
+
+    def sampled(locus: Locus) -> tuple[tuple[str, ...], ...]:
+        return found(locus).sampled_components
+
+    def irreducible(locus: Locus) -> tuple[tuple[str, ...], ...]:
+        return found(locus).irreducible
+
+    assert not sampled(right)
+    assert irreducible(right)
+    assert sampled(replace(right, cover=None)) == (("x", "y"),)
+    # x·(y − 1) = 0 = y·(x − 2) holds at (2, 1) too, where the rank is 2.
+    apart = replace(right, equations=("x*(y - 1)", "y*(x - 2)"), cover=None)
+    assert sampled(apart)
+    first = Node(1, condition=1, cases=(case("y", at_zero("y"), leaf),))
+    one = case("y - 1", replace(at_zero("y"), value="1"), Node(3, sheet=True))
+    both = Node(0, condition=0, cases=(case("x", at_zero("x"), first), one))
+    with pytest.raises(RefusedError, match="as in general"):
+        judged(AT_ONE_POINT, part(replace(apart, cover=both)))
+    # A case left out, and a leaf that stands for another component.
+    for cover_of_less in (
+        Node(0, condition=0, cases=(case("x", at_zero("x"), first),)),
+        Node(0, component=0),
+    ):
+        with pytest.raises(RefusedError):
+            judged(AT_ONE_POINT, part(replace(apart, cover=cover_of_less)))
+
+
+def test_a_sheet_is_no_end_of_a_proof() -> None:
+    with pytest.raises(RefusedError, match="nothing is said"):
+        judged(TWO_LENGTHS, limb(IN_LINE, proof=Node(0, sheet=True)))
