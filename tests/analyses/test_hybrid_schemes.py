@@ -10,8 +10,7 @@ from loci.numeric import value
 from loci.test_hybrid_loci import at, drawn, freedom, mobility, on_equation
 
 import screwkit as sk
-from screwkit.errors import UndecidedError
-from screwkit.questions import schemes, singularities
+from screwkit.questions import schemes
 from screwkit.results.schemes import Scheme, Schemes
 from screwkit.results.undecided import Undecided
 
@@ -71,5 +70,3 @@ def test_what_is_not_answered_is_said() -> None:
     found = schemes(case, candidates=["P1", "P2", "P3"], rank=2)
     assert isinstance(found.ranking, Undecided)
     assert "loops inside" in found.ranking.reason
-    with pytest.raises(UndecidedError, match="no certificate can be written yet"):
-        singularities(case, certificate=True)
