@@ -15,6 +15,7 @@ from screwkit.algebra.division import Divisor, exact_quotient
 from screwkit.algebra.elimination import half_angle_steps, steps_of
 from screwkit.algebra.factors import Factor, FactorLibrary, factor
 from screwkit.algebra.half_angle import HalfAngles
+from screwkit.algebra.over_roots import square_roots
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.restrictions import Layout
@@ -152,12 +153,22 @@ class Conditions:
 
     def quotient(self, value: Polynomial, below: Polynomial) -> Polynomial | None:
         """An exact quotient, if one is found."""
-        plain = exact_quotient(value, below)
+        plain = exact_quotient(value, below) or self._by_root(value, below)
         if plain is not None or self.problem.library.is_extended(value):
             return plain
         ring = self.problem.root.ring
         layout = Layout.of(ring)
         return Divisor(below, ring, HalfAngles(ring, layout), layout).divide(value)
+
+    def _by_root(self, value: Polynomial, below: Polynomial) -> Polynomial | None:
+        """A quotient that holds a square root of a number below the line."""
+        ring = self.problem.root.ring
+        for root in square_roots(ring):
+            number = ring.context.gens()[root.place]
+            found = exact_quotient(ring.normal(value * number), below)
+            if found is not None:
+                return ring.normal(found * number) / root.square
+        return None
 
     def in_divisor(self, branch: Branch, own: Factor) -> Multiple | None:
         """The divisor of a step that a factor divides, which vanishes nowhere."""

@@ -10,8 +10,7 @@ from loci.numeric import value
 from loci.test_hybrid_loci import at, drawn, freedom, mobility, on_equation
 
 import screwkit as sk
-from screwkit.errors import UndecidedError
-from screwkit.questions import schemes, singularities
+from screwkit.questions import schemes
 from screwkit.results.schemes import Scheme, Schemes
 
 NAME = "orthoglide"
@@ -63,9 +62,3 @@ def test_two_joints_of_a_parallelogram_hold_the_same() -> None:
         assert freedom(at(NAME, drawn(NAME, 1)).platform(scheme.actuated))
         assert not scheme.admissible
         assert "p1_1 and m1_1 hold the same freedom" in str(scheme.reason)
-
-
-def test_what_is_not_answered_is_said() -> None:
-    case = sk.load(NAME)
-    with pytest.raises(UndecidedError, match="no certificate can be written yet"):
-        singularities(case, certificate=True)
