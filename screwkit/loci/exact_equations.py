@@ -74,10 +74,12 @@ class ExactPieces:
 
     Attributes:
         uncertain: How many of them have equations that may hold at others too.
+        narrowed: Whether equations were added: fewer postures satisfy those of a piece.
     """
 
     pieces: tuple[Piece, ...]
     uncertain: int
+    narrowed: bool = False
 
     @property
     def reason(self) -> str:
@@ -102,7 +104,13 @@ def with_exact_equations(pieces: Sequence[Piece], singular: Singularity) -> Exac
         exact, is_certain = _exact(piece, singular)
         found.append(exact)
         uncertain += not is_certain
-    return ExactPieces(tuple(found), uncertain)
+    return ExactPieces(tuple(found), uncertain, narrower(found, pieces))
+
+
+def narrower(pieces: Sequence[Piece], before: Sequence[Piece]) -> bool:
+    """Whether some piece has more equations than the one that it was."""
+    pairs = zip(pieces, before, strict=True)
+    return any(len(now.equations) > len(then.equations) for now, then in pairs)
 
 
 def _exact(piece: Piece, singular: Singularity) -> tuple[Piece, bool]:
