@@ -31,6 +31,7 @@ from screwkit.loci.exact_equations import (
     narrower,
     with_exact_equations,
 )
+from screwkit.loci.exact_rank_drop import exact_rank_drop, rank_on
 from screwkit.loci.hybrid_actuation import state_on
 from screwkit.loci.lifting import with_sheets_together
 from screwkit.loci.loop_drop import (
@@ -38,7 +39,6 @@ from screwkit.loci.loop_drop import (
     loop_drop,
     loop_state,
     rank_is_lost,
-    undecided,
 )
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece, pieces_of, told_apart
@@ -104,24 +104,23 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
     ring = framed.ring
     root, library = assembly.root(ring), assembly.library(ring)
     columns = [framed.column(joint) for joint in limb.joints]
-    drop = rank_drop(root, columns, Search(library))
-    pieces = pieces_of(drop.decomposition.branches)
-    pieces = _in_order(pieces)
+    found = exact_rank_drop(root, [root], columns, library)
+    pieces = _in_order(found.exact.pieces)
+    (drop,) = found.last.drops
     meanings = Meanings(framed, root, library)
     components = []
     for piece in pieces:
-        rank = max(generic_rank(branch, columns) for branch in piece.branches)
+        rank = rank_on(piece, columns)
         components.append(limb_component(piece, rank, meanings, assembly.dimension))
-    complete = drop.decomposition.complete
     return LimbSingularities(
         limb=limb.name,
         joints=limb.joints,
         generic_rank=drop.rank,
-        complete=complete,
+        complete=found.complete,
         components=tuple(components),
         intersections=tuple(_intersections(pieces, columns, Search(library))),
-        proof=_proof(len(drop.minors), drop.rank, pieces) if complete else "",
-        reason="" if complete else undecided(drop.decomposition.open),
+        proof=_proof(len(drop.minors), drop.rank, pieces) if found.complete else "",
+        reason=found.reason,
     )
 
 

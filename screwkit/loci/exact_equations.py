@@ -50,12 +50,14 @@ class Singularity:
             idle beside that never becomes less.
         holds_on: Whether it is so in general on a branch with exact points.
         library: Factors met before.
+        least: Rank of the columns wherever it is not singular; the generic one if None.
     """
 
     root: Branch
     equations: Callable[[], list[list[Polynomial]]]
     holds_on: Callable[[Branch], bool]
     library: FactorLibrary
+    least: int | None = None
 
     @cached_property
     def columns(self) -> list[list[Polynomial]]:
@@ -64,7 +66,9 @@ class Singularity:
 
     @cached_property
     def rank(self) -> int:
-        """Of the loop equations, generic."""
+        """Of the loop equations at regular postures, or more."""
+        if self.least is not None:
+            return self.least
         return max(rank_at(self.columns, *point) for point in self.root.points)
 
 

@@ -22,6 +22,7 @@ from screwkit.algebra.search import Search, irreducible_parts
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.limb_parts import Parts, columns_of, motion_at
 from screwkit.kinematics.loop_state import LoopState, state_of
+from screwkit.loci.open_branches import undecided
 from screwkit.loci.pieces import Piece, lies_in, pieces_of, without_contained
 from screwkit.loci.strata import LimbStrata, Stratum
 from screwkit.loci.wrench_sums import dependent_zeros, height_of
@@ -68,15 +69,6 @@ class LoopDrop:
                 f"{self.unsearched} combinations of limb strata beyond were not"
             )
         return "; ".join(reasons)
-
-
-def undecided(branches: Sequence[Branch]) -> str:
-    """That some pieces are left, in words."""
-    count = len(branches)
-    noun = "piece" if count == 1 else "pieces"
-    least = min(branch.codimension for branch in branches)
-    size = f", of codimension {least} or more," if least > 1 else ""
-    return f"{count} {noun} of the locus{size} could not be decided within the budget"
 
 
 def loop_state(branch: Branch, limbs: Sequence[Parts]) -> LoopState | None:

@@ -47,11 +47,13 @@ joints:
 NAMES = ("t", "u", "v", "x", "y", "z")
 
 
+def turn(axis: list[float], point: list[float]) -> list[float]:
+    """The twist of a rotation."""
+    return [*axis, *np.cross(point, axis)]
+
+
 def loop_rank(at: dict[str, float]) -> int:
     """Of the seven unit twists (ω; v), written from the file by hand."""
-
-    def turn(axis: list[float], point: list[float]) -> list[float]:
-        return [*axis, *np.cross(point, axis)]
 
     t, u, v, x, y, z = (at[name] for name in NAMES)
     slides = [[np.sin(t), 0, np.cos(t)], [u, v, 1], [0, 1, 1]]
@@ -81,3 +83,69 @@ def test_parallel_first_axes_are_a_singularity_of_the_loop(
     assert any(all(abs(value(e, at)) < 1e-12 for e in own) for own in families)
     alone = [own for own in families if len(own) == 2]
     assert [set(own) for own in alone] == [{"sin(t)", "u"}]
+
+
+LIMB = """screwkit: 1
+name: limb
+geometry: posture
+base: base
+platform: platform
+links: [base, l1, l2, l3, l4, l5, platform]
+parameters:
+  b: {value: 1, positive: true}
+  d: {value: 2, positive: true}
+variables:
+  u: 1/3
+  v: 1/5
+  s: 2
+  t: {value: 1/3, angle: true}
+  r: 1/2
+  m: 3/2
+  n: 3/4
+joints:
+  - {name: P1, type: prismatic, parent: base, child: l1, axis: [0, 0, 1]}
+  - {name: U2, type: universal, parent: l1, child: l2, axes: [[0, 0, 1], [1, 0, 0]],
+     point: [b, 0, 0]}
+  - {name: C3, type: cylindrical, parent: l2, child: l3, axis: [u, v, 1],
+     point: [0, 1, s]}
+  - {name: R4, type: revolute, parent: l3, child: l4, axis: [cos(t), sin(t), 0],
+     point: [r, 0, 0]}
+  - {name: R5, type: revolute, parent: l4, child: l5, axis: [m, n, 1],
+     point: [0, 2, -2]}
+  - {name: R6, type: revolute, parent: l5, child: platform, axis: [1, 1, 0],
+     point: [0, d, 0]}
+"""
+
+
+def limb_rank(at: dict[str, float]) -> int:
+    """Of the seven unit twists (ω; v), written from the file by hand."""
+
+    u, v = at["u"], at["v"]
+    twists = [
+        [0, 0, 0, 0, 0, 1],
+        turn([0, 0, 1], [at["b"], 0, 0]),
+        turn([1, 0, 0], [at["b"], 0, 0]),
+        turn([u, v, 1], [0, 1, at["s"]]),
+        [0, 0, 0, u, v, 1],
+        turn([np.cos(at["t"]), np.sin(at["t"]), 0], [at["r"], 0, 0]),
+        turn([at["m"], at["n"], 1], [0, 2, -2]),
+        turn([1, 1, 0], [0, at["d"], 0]),
+    ]
+    sizes = np.linalg.svd(np.array(twists), compute_uv=False)
+    return int(np.sum(sizes > 1e-8))
+
+
+def test_equations_of_a_limb_hold_at_singular_postures_alone(tmp_path: Path) -> None:
+    """Two minors vanish where u = v = 0: a slide is doubled, and nothing is lost."""
+    file = tmp_path / "limb.yaml"
+    file.write_text(LIMB, encoding="utf-8")
+    limb = sk.singularities(sk.load(file)).limb[0]
+    assert limb.complete
+    source = np.random.default_rng(4)
+    names = ("u", "v", "s", "t", "r", "m", "n", "b", "d")
+    for _ in range(5):
+        at = dict(zip(names, source.uniform(0.5, 2, len(names)), strict=True))
+        at |= {"u": 0.0, "v": 0.0}
+        assert limb_rank(at) == limb.generic_rank == 6
+        for component in limb.components:
+            assert max(abs(value(e, at)) for e in component.equations) > 1e-6
