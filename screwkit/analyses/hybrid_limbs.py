@@ -18,8 +18,8 @@ from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.kinematics.told_parts import own_parts
 from screwkit.loci.exact_equations import Singularity, with_exact_equations
 from screwkit.loci.hybrid_strata import HybridStrata, generic_motion, hybrid_strata
-from screwkit.loci.loop_drop import undecided
 from screwkit.loci.meanings import Meanings
+from screwkit.loci.open_branches import undecided
 from screwkit.loci.strata import LimbStrata, limb_strata
 from screwkit.results.singularities import LimbSingularities
 

@@ -6,6 +6,7 @@ References: [LongCaroKhalil2012] §5, [Zlatanov2002].
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -21,15 +22,16 @@ from screwkit.analyses.whole_singularities import put_together
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.limb_parts import Parts
 from screwkit.kinematics.loop_columns import loop_columns
-from screwkit.kinematics.loop_state import LoopState
 from screwkit.kinematics.told_parts import told_parts
 from screwkit.loci.actuation import actuation_locus
 from screwkit.loci.canonical import in_known_conditions
 from screwkit.loci.exact_equations import (
     ExactPieces,
     Singularity,
+    narrower,
     with_exact_equations,
 )
+from screwkit.loci.exact_rank_drop import exact_rank_drop, rank_on
 from screwkit.loci.hybrid_actuation import state_on
 from screwkit.loci.lifting import with_sheets_together
 from screwkit.loci.loop_drop import (
@@ -37,11 +39,11 @@ from screwkit.loci.loop_drop import (
     loop_drop,
     loop_state,
     rank_is_lost,
-    undecided,
 )
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece, pieces_of, told_apart
 from screwkit.loci.rank_drop import generic_rank, rank_drop
+from screwkit.loci.searching_again import searched_again
 from screwkit.loci.strata import in_ring
 from screwkit.loci.wording import all_solutions, equations_of, solved_equations
 from screwkit.loci.wrench_sums import height_of
@@ -102,24 +104,23 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
     ring = framed.ring
     root, library = assembly.root(ring), assembly.library(ring)
     columns = [framed.column(joint) for joint in limb.joints]
-    drop = rank_drop(root, columns, Search(library))
-    pieces = pieces_of(drop.decomposition.branches)
-    pieces = _in_order(pieces)
+    found = exact_rank_drop(root, [root], columns, library)
+    pieces = _in_order(found.exact.pieces)
+    (drop,) = found.last.drops
     meanings = Meanings(framed, root, library)
     components = []
     for piece in pieces:
-        rank = max(generic_rank(branch, columns) for branch in piece.branches)
+        rank = rank_on(piece, columns)
         components.append(limb_component(piece, rank, meanings, assembly.dimension))
-    complete = drop.decomposition.complete
     return LimbSingularities(
         limb=limb.name,
         joints=limb.joints,
         generic_rank=drop.rank,
-        complete=complete,
+        complete=found.complete,
         components=tuple(components),
         intersections=tuple(_intersections(pieces, columns, Search(library))),
-        proof=_proof(len(drop.minors), drop.rank, pieces) if complete else "",
-        reason="" if complete else undecided(drop.decomposition.open),
+        proof=_proof(len(drop.minors), drop.rank, pieces) if found.complete else "",
+        reason=found.reason,
     )
 
 
@@ -198,7 +199,6 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
         )
         for limb in assembly.limbs
     ]
-    drop = loop_drop(root, limbs, strata, Search(library))
     meanings = Meanings(framed, root, library)
     known = [
         primitive(stratum.equations[0])
@@ -206,22 +206,29 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
         for stratum in limb.strata
         if len(stratum.equations) == 1
     ]
-    pieces = [
-        in_known_conditions(piece, root, known, Search(library))
-        for piece in with_sheets_together(drop.pieces)
-    ]
-    exact = _exact(root, told_apart(pieces, known), limbs, drop.generic, library)
+
+    def exactly(pieces: Sequence[Piece]) -> ExactPieces:
+        own = [
+            in_known_conditions(piece, root, known, Search(library))
+            for piece in with_sheets_together(pieces)
+        ]
+        exact = _exact(root, told_apart(own, known), limbs, library)
+        return replace(exact, narrowed=narrower(exact.pieces, own))
+
+    found = searched_again(
+        lambda given: loop_drop(root, limbs, strata, Search(library), given=given),
+        exactly,
+    )
     components = tuple(
         _constraint_component(piece, limbs, meanings, assembly.dimension)
-        for piece in _in_order(exact.pieces)
+        for piece in _in_order(found.exact.pieces)
     )
-    complete = drop.complete and not exact.uncertain
     return ConstraintSingularities(
-        generic_rank=drop.generic.loop,
-        complete=complete,
+        generic_rank=found.last.generic.loop,
+        complete=found.complete,
         components=components,
-        proof=_constraint_proof(drop) if complete else "",
-        reason="; ".join(filter(None, [drop.reason, exact.reason])),
+        proof=_constraint_proof(found.last) if found.complete else "",
+        reason=found.reason,
     )
 
 
@@ -229,14 +236,16 @@ def _exact(
     root: Branch,
     pieces: Sequence[Piece],
     limbs: Sequence[Parts],
-    generic: LoopState,
     library: FactorLibrary,
 ) -> ExactPieces:
     """The pieces with equations at whose zeros the loops have lost rank."""
+    generic = loop_state(root, limbs)
 
     def holds_on(branch: Branch) -> bool:
         state = loop_state(branch, limbs)
-        return state is not None and rank_is_lost(state, generic)
+        if state is None or generic is None:
+            return False
+        return rank_is_lost(state, generic)
 
     height = height_of(limbs)
     return with_exact_equations(

@@ -50,12 +50,14 @@ class Singularity:
             idle beside that never becomes less.
         holds_on: Whether it is so in general on a branch with exact points.
         library: Factors met before.
+        least: Rank of the columns wherever it is not singular; the generic one if None.
     """
 
     root: Branch
     equations: Callable[[], list[list[Polynomial]]]
     holds_on: Callable[[Branch], bool]
     library: FactorLibrary
+    least: int | None = None
 
     @cached_property
     def columns(self) -> list[list[Polynomial]]:
@@ -64,7 +66,9 @@ class Singularity:
 
     @cached_property
     def rank(self) -> int:
-        """Of the loop equations, generic."""
+        """Of the loop equations at regular postures, or more."""
+        if self.least is not None:
+            return self.least
         return max(rank_at(self.columns, *point) for point in self.root.points)
 
 
@@ -74,10 +78,12 @@ class ExactPieces:
 
     Attributes:
         uncertain: How many of them have equations that may hold at others too.
+        narrowed: Whether equations were added: fewer postures satisfy those of a piece.
     """
 
     pieces: tuple[Piece, ...]
     uncertain: int
+    narrowed: bool = False
 
     @property
     def reason(self) -> str:
@@ -102,7 +108,13 @@ def with_exact_equations(pieces: Sequence[Piece], singular: Singularity) -> Exac
         exact, is_certain = _exact(piece, singular)
         found.append(exact)
         uncertain += not is_certain
-    return ExactPieces(tuple(found), uncertain)
+    return ExactPieces(tuple(found), uncertain, narrower(found, pieces))
+
+
+def narrower(pieces: Sequence[Piece], before: Sequence[Piece]) -> bool:
+    """Whether some piece has more equations than the one that it was."""
+    pairs = zip(pieces, before, strict=True)
+    return any(len(now.equations) > len(then.equations) for now, then in pairs)
 
 
 def _exact(piece: Piece, singular: Singularity) -> tuple[Piece, bool]:

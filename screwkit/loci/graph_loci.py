@@ -24,6 +24,7 @@ from screwkit.kinematics.whole_graph import GraphState, Row, WholeGraph, state_o
 from screwkit.loci.exact_equations import Singularity, with_exact_equations
 from screwkit.loci.matrix_drop import MatrixZeros, RankAt, matrix_zeros
 from screwkit.loci.pieces import Piece, lies_in, pieces_of, without_contained
+from screwkit.loci.searching_again import searched_again
 
 _LONGEST = 60_000  # terms of a polynomial that is factored
 _BUDGET = 600  # case distinctions on one locus
@@ -99,17 +100,64 @@ def state_on(
     return max(states, key=lambda state: state.loop)
 
 
+@dataclass(frozen=True)
+class _Searched:
+    """What one search came back with.
+
+    Attributes:
+        pieces: The finds.
+        others: Pieces on which the matrix loses rank, and which are no finds.
+        zeros: Of the matrix, everywhere and on the others.
+        depths: Least codimensions of what was left open.
+    """
+
+    pieces: Sequence[Piece]
+    others: Sequence[Piece]
+    zeros: Sequence[MatrixZeros]
+    depths: Sequence[int]
+
+    @property
+    def reason(self) -> str:
+        """Why the list of finds may have gaps; empty where it has none."""
+        return _why_open(self.zeros, self.depths)
+
+
 def _searched(
     graph: WholeGraph, rows: Sequence[Row], rank_at: RankAt, is_find: Judge
 ) -> GraphLocus:
     """Finds on the locus of a matrix, those inside of other pieces too."""
+    singular = Singularity(
+        graph.root, partial(_columns, rows, graph.root.ring), is_find, graph.library
+    )
+    found = searched_again(
+        lambda given: _search(graph, rows, rank_at, is_find, given),
+        partial(with_exact_equations, singular=singular),
+    )
+    finds = found.exact.pieces
+    others = without_contained(found.last.others)
+    return GraphLocus(
+        finds,
+        tuple(piece for piece in others if not _lies_in_any(piece, finds)),
+        found.reason,
+        min(found.last.depths, default=2) > 1,
+    )
+
+
+def _search(
+    graph: WholeGraph,
+    rows: Sequence[Row],
+    rank_at: RankAt,
+    is_find: Judge,
+    given: Sequence[Piece],
+) -> _Searched:
+    """One search, which passes over what lies on a given piece."""
     search = Search(graph.library, budget=_BUDGET, largest=_LONGEST)
+    finds = list(given)
+    search.skip = lambda branch: any(lies_in(branch, piece) for piece in finds)
     zeros = matrix_zeros(graph.root, rows, rank_at, search)
-    finds: list[Piece] = []
     others: list[Piece] = []
     everything = [zeros]
     waiting = pieces_of(zeros.branches)
-    search.skip = lambda branch: any(lies_in(branch, piece) for piece in finds)
     while waiting:
         piece = waiting.pop(0)
         branch = piece.branches[0]
@@ -125,19 +173,7 @@ def _searched(
         everything += inside
         waiting += pieces_of([b for found in inside for b in found.branches])
     finds = without_contained(finds)
-    outer = [p for p in without_contained(others) if not _lies_in_any(p, finds)]
-    depths = _open_depths(everything, finds)
-    singular = Singularity(
-        graph.root, partial(_columns, rows, graph.root.ring), is_find, graph.library
-    )
-    exact = with_exact_equations(finds, singular)
-    reasons = [_why_open(everything, depths), exact.reason]
-    return GraphLocus(
-        exact.pieces,
-        tuple(outer),
-        "; ".join(filter(None, reasons)),
-        min(depths, default=2) > 1,
-    )
+    return _Searched(finds, others, everything, _open_depths(everything, finds))
 
 
 def _columns(rows: Sequence[Row], ring: TrigonometricRing) -> list[list[Polynomial]]:

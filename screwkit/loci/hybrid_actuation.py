@@ -21,9 +21,15 @@ from screwkit.kinematics.told_parts import told_parts
 from screwkit.loci.actuation_locus import ActuationLocus
 from screwkit.loci.exact_equations import Singularity, with_exact_equations
 from screwkit.loci.hybrid_strata import HybridStrata, hybrid_strata
-from screwkit.loci.loop_drop import loop_drop, loop_state, platform_is_freer
+from screwkit.loci.loop_drop import (
+    LoopDrop,
+    loop_drop,
+    loop_state,
+    platform_is_freer,
+)
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece, lies_in, without_contained
+from screwkit.loci.searching_again import searched_again
 
 _LONGEST = 60_000  # terms of a polynomial that is factored
 
@@ -37,32 +43,36 @@ def hybrid_actuation_locus(
     limbs = [told_parts(assembly, limb, actuated) for limb in assembly.limbs]
     height = len(assembly.telling)
     strata = [hybrid_strata(root, limb, height, library) for limb in limbs]
-    drop = loop_drop(
-        root,
-        limbs,
-        [own.by_equations for own in strata],
-        Search(library, largest=_LONGEST),
-        platform_is_freer,
-    )
-    idle = _idle(root, limbs, strata, drop.pieces)
 
     def is_singular(branch: Branch) -> bool:
         state = loop_state(branch, limbs)
         return state is not None and state.platform_freedom > 0
 
-    exact = with_exact_equations(
-        drop.pieces,
-        Singularity(root, partial(loop_columns, limbs, height), is_singular, library),
+    singular = Singularity(
+        root, partial(loop_columns, limbs, height), is_singular, library
     )
-    pieces = (*exact.pieces, *idle)
+
+    def search(given: Sequence[Piece]) -> LoopDrop:
+        return loop_drop(
+            root,
+            limbs,
+            [own.by_equations for own in strata],
+            Search(library, largest=_LONGEST),
+            platform_is_freer,
+            given,
+        )
+
+    found = searched_again(search, partial(with_exact_equations, singular=singular))
+    moving = found.exact.pieces
+    pieces = (*moving, *_idle(root, limbs, strata, moving))
     return ActuationLocus(
         True,
         0,
-        drop.complete and not exact.uncertain,
+        found.complete,
         pieces,
         tuple(state_on(piece, limbs) for piece in pieces),
         Meanings(framed, root, library),
-        reason="; ".join(filter(None, [drop.reason, exact.reason])),
+        reason=found.reason,
     )
 
 

@@ -22,7 +22,8 @@ from screwkit.algebra.search import Search, irreducible_parts
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.limb_parts import Parts, columns_of, motion_at
 from screwkit.kinematics.loop_state import LoopState, state_of
-from screwkit.loci.pieces import Piece, lies_in, pieces_of
+from screwkit.loci.open_branches import undecided
+from screwkit.loci.pieces import Piece, lies_in, pieces_of, without_contained
 from screwkit.loci.strata import LimbStrata, Stratum
 from screwkit.loci.wrench_sums import dependent_zeros, height_of
 
@@ -70,15 +71,6 @@ class LoopDrop:
         return "; ".join(reasons)
 
 
-def undecided(branches: Sequence[Branch]) -> str:
-    """That some pieces are left, in words."""
-    count = len(branches)
-    noun = "piece" if count == 1 else "pieces"
-    least = min(branch.codimension for branch in branches)
-    size = f", of codimension {least} or more," if least > 1 else ""
-    return f"{count} {noun} of the locus{size} could not be decided within the budget"
-
-
 def loop_state(branch: Branch, limbs: Sequence[Parts]) -> LoopState | None:
     """Ranks at random exact points of a branch; None where no point was found."""
     height = height_of(limbs)
@@ -99,6 +91,7 @@ class _Walk:
     search: Search
     strata: Sequence[LimbStrata]
     lost: Lost
+    given: Sequence[Piece] = ()
     found: list[Branch] = field(default_factory=list)
     open: list[Branch] = field(default_factory=list)
     signatures: dict[str, Branch] = field(default_factory=dict)
@@ -110,7 +103,7 @@ class _Walk:
         """Take note of branches on which the loops lose rank."""
         if branches:
             self.found.extend(branches)
-            self.pieces = pieces_of(self.found)
+            self.pieces = without_contained([*self.given, *pieces_of(self.found)])
 
     def known(self, branch: Branch) -> bool:
         """Whether a branch lies in a piece that was found before."""
@@ -133,6 +126,7 @@ def loop_drop(
     strata: Sequence[LimbStrata],
     search: Search,
     lost: Lost = rank_is_lost,
+    given: Sequence[Piece] = (),
 ) -> LoopDrop:
     """Every piece of ``root`` on which the loop constraint matrix loses rank.
 
@@ -144,11 +138,13 @@ def loop_drop(
         search: Budget and known factors, shared by all steps.
         lost: What is looked for instead; it must hold wherever, on some combination of
             strata, the limbs' wrench systems together lose dimensions.
+        given: Pieces that are known; they are among the pieces of the answer.
     """
     generic = loop_state(root, limbs)
     if generic is None:
         raise ValueError("the whole space has no exact point")
-    walk = _Walk(limbs, height_of(limbs), generic, search, strata, lost)
+    walk = _Walk(limbs, height_of(limbs), generic, search, strata, lost, given)
+    walk.pieces = list(given)
     combinations = sorted(
         product(*(limb.strata for limb in strata)),
         key=lambda chosen: sum(stratum.codimension for stratum in chosen),
@@ -160,7 +156,8 @@ def loop_drop(
             unsearched = len(combinations) - position
             break
         _visit(root, chosen, walk)
-    pieces = pieces_of([*walk.found, *_other_sheets(walk.found, walk.alike)])
+    found = pieces_of([*walk.found, *_other_sheets(walk.found, walk.alike)])
+    pieces = without_contained([*given, *found])
     undecided = [*walk.open, *_other_sheets(walk.open, walk.alike)]
     if not all(limb.complete for limb in strata):
         undecided.append(root)

@@ -5,16 +5,14 @@ Found in the limb's own frame and ring, where they are short; handed on as equat
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.conversion import Conversion
-from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.kinematics.assembly import Assembly, LimbChain
-from screwkit.loci.pieces import Piece, pieces_of
-from screwkit.loci.rank_drop import generic_rank, rank_drop
+from screwkit.loci.exact_rank_drop import exact_rank_drop, rank_on
+from screwkit.loci.rank_drop import generic_rank
 
 _MOST = 40  # strata of one limb
 
@@ -66,25 +64,18 @@ def limb_strata(assembly: Assembly, limb: LimbChain) -> LimbStrata:
     level: list[Branch] = [root]
     seen: set[frozenset[str]] = set()
     while level and len(found) < _MOST:
-        lower: list[Branch] = []
-        for branch in level:
-            drop = rank_drop(branch, columns, Search(library))
-            complete = complete and drop.decomposition.complete
-            lower.extend(drop.decomposition.branches)
+        drop = exact_rank_drop(root, level, columns, library)
+        complete = complete and drop.complete
         level = []
-        for piece in pieces_of(lower):
+        for piece in drop.exact.pieces:
             key = frozenset(str(e) for e in piece.equations)
             if key not in seen:
                 seen.add(key)
-                found.append(_stratum(piece, columns))
+                rank = rank_on(piece, columns)
+                found.append(Stratum(piece.equations, rank, piece.codimension))
                 level.extend(piece.branches)
     found.sort(key=lambda stratum: stratum.codimension)
     return LimbStrata(tuple(found), complete and not level)
-
-
-def _stratum(piece: Piece, columns: Sequence[Sequence[Polynomial]]) -> Stratum:
-    rank = max(generic_rank(branch, columns) for branch in piece.branches)
-    return Stratum(piece.equations, rank, piece.codimension)
 
 
 def in_ring(
