@@ -41,8 +41,8 @@ from screwkit.loci.loop_drop import (
 )
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece, pieces_of, told_apart
-from screwkit.loci.rank_drop import generic_rank, rank_drop
-from screwkit.loci.strata import in_ring
+from screwkit.loci.rank_drop import RankDrop, generic_rank
+from screwkit.loci.strata import in_ring, limb_drop
 from screwkit.loci.wording import all_solutions, equations_of, solved_equations
 from screwkit.loci.wrench_sums import height_of
 from screwkit.progress import Progress, silent
@@ -102,7 +102,7 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
     ring = framed.ring
     root, library = assembly.root(ring), assembly.library(ring)
     columns = [framed.column(joint) for joint in limb.joints]
-    drop = rank_drop(root, columns, Search(library))
+    drop = limb_drop(assembly, limb, root)
     pieces = pieces_of(drop.decomposition.branches)
     pieces = _in_order(pieces)
     meanings = Meanings(framed, root, library)
@@ -117,7 +117,9 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
         generic_rank=drop.rank,
         complete=complete,
         components=tuple(components),
-        intersections=tuple(_intersections(pieces, columns, Search(library))),
+        intersections=tuple(
+            _intersections(pieces, columns, partial(limb_drop, assembly, limb))
+        ),
         proof=_proof(len(drop.minors), drop.rank, pieces) if complete else "",
         reason="" if complete else undecided(drop.decomposition.open),
     )
@@ -153,7 +155,7 @@ def _in_order(pieces: Sequence[Piece]) -> list[Piece]:
 def _intersections(
     pieces: Sequence[Piece],
     columns: Sequence[Sequence[Polynomial]],
-    search: Search,
+    drop_on: Callable[[Branch], RankDrop],
 ) -> list[Intersection]:
     """Where two components meet, and where the rank falls further on them."""
     found: list[Intersection] = []
@@ -162,7 +164,7 @@ def _intersections(
         deeper = [
             lower
             for branch in piece.branches
-            for lower in rank_drop(branch, columns, search).decomposition.branches
+            for lower in drop_on(branch).decomposition.branches
         ]
         for lower in _in_order(pieces_of(deeper)):
             members = tuple(n for n, other in enumerate(pieces) if _lies(lower, other))

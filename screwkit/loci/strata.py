@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from weakref import WeakKeyDictionary
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.conversion import Conversion
@@ -14,7 +15,7 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.loci.pieces import Piece, pieces_of
-from screwkit.loci.rank_drop import generic_rank, rank_drop
+from screwkit.loci.rank_drop import RankDrop, generic_rank, rank_drop
 
 _MOST = 40  # strata of one limb
 
@@ -55,11 +56,32 @@ class LimbStrata:
         return [s.equations for s in self.strata if s.rank < own.rank]
 
 
+_DROPS: WeakKeyDictionary[Assembly, dict[tuple[str, int], tuple[Branch, RankDrop]]]
+_DROPS = WeakKeyDictionary()
+
+
+def limb_drop(assembly: Assembly, limb: LimbChain, branch: Branch) -> RankDrop:
+    """Where on a branch a limb of joints in series loses rank, searched once.
+
+    Args:
+        assembly: The mechanism.
+        limb: A serial limb.
+        branch: In the limb's own ring; the same object where the same is meant.
+    """
+    known = _DROPS.setdefault(assembly, {})
+    key = limb.name, id(branch)  # the branch is kept, so that no other gets its number
+    if key not in known:
+        framed = assembly.limb_twists[limb.name]
+        columns = [framed.column(joint) for joint in limb.joints]
+        search = Search(assembly.library(framed.ring))
+        known[key] = branch, rank_drop(branch, columns, search)
+    return known[key][1]
+
+
 def limb_strata(assembly: Assembly, limb: LimbChain) -> LimbStrata:
     """Every stratum of a limb, in the limb's own ring."""
     framed = assembly.limb_twists[limb.name]
     columns = [framed.column(joint) for joint in limb.joints]
-    library = assembly.library(framed.ring)
     root = assembly.root(framed.ring)
     found = [Stratum((), generic_rank(root, columns), 0)]
     complete = True
@@ -68,7 +90,7 @@ def limb_strata(assembly: Assembly, limb: LimbChain) -> LimbStrata:
     while level and len(found) < _MOST:
         lower: list[Branch] = []
         for branch in level:
-            drop = rank_drop(branch, columns, Search(library))
+            drop = limb_drop(assembly, limb, branch)
             complete = complete and drop.decomposition.complete
             lower.extend(drop.decomposition.branches)
         level = []
