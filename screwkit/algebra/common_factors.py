@@ -46,8 +46,21 @@ def without_common_factors(
     for found, power in factor(ring, shortest, library).factors:
         divisor = Divisor(found.equations[0], ring, halves, layout)
         for _ in range(power):
-            quotients = [divisor.divide(v) if v != 0 else v for v in entries]
-            if any(quotient is None for quotient in quotients):
+            quotients = _quotients(divisor, entries)
+            if quotients is None:
                 break
             entries = tuple(ring.normal(quotient) for quotient in quotients)
     return entries
+
+
+def _quotients(
+    divisor: Divisor, entries: Sequence[Polynomial]
+) -> list[Polynomial] | None:
+    """All entries divided; None, and no more work, as soon as one cannot be."""
+    found = []
+    for entry in entries:
+        quotient = divisor.divide(entry) if entry != 0 else entry
+        if quotient is None:
+            return None
+        found.append(quotient)
+    return found

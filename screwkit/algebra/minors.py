@@ -53,6 +53,8 @@ def minor_table(
 
 def minors_of_size(ring: Ring[S], columns: Sequence[Sequence[S]], size: int) -> list[S]:
     """All minors of some columns that have a size and are not zero."""
+    if size == len(columns):
+        return [*minors_of(ring, columns).values()]
     height = len(columns[0]) if columns else 0
     table = minor_table(ring, columns, height, size)
     return [

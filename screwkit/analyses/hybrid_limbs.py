@@ -10,6 +10,7 @@ References: [Zlatanov2002], [Hunt1978] §13.
 from __future__ import annotations
 
 from functools import partial
+from weakref import WeakKeyDictionary
 
 from screwkit.algebra.branches import Branch
 from screwkit.analyses.limb_component import limb_component
@@ -31,10 +32,17 @@ def strata_of(assembly: Assembly, limb: LimbChain) -> LimbStrata:
     return _strata(assembly, limb).by_equations
 
 
+_STRATA: WeakKeyDictionary[Assembly, dict[str, HybridStrata]] = WeakKeyDictionary()
+
+
 def _strata(assembly: Assembly, limb: LimbChain) -> HybridStrata:
-    ring = assembly.limb_twists[limb.name].ring
-    parts, height = own_parts(assembly, limb)
-    return hybrid_strata(assembly.root(ring), parts, height, assembly.library(ring))
+    known = _STRATA.setdefault(assembly, {})
+    if limb.name not in known:
+        ring = assembly.limb_twists[limb.name].ring
+        parts, height = own_parts(assembly, limb)
+        root, library = assembly.root(ring), assembly.library(ring)
+        known[limb.name] = hybrid_strata(root, parts, height, library)
+    return known[limb.name]
 
 
 def hybrid_limb(assembly: Assembly, limb: LimbChain) -> LimbSingularities:

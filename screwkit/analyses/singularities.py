@@ -31,9 +31,10 @@ from screwkit.loci.exact_equations import (
     narrower,
     with_exact_equations,
 )
-from screwkit.loci.exact_rank_drop import exact_rank_drop, rank_on
+from screwkit.loci.exact_rank_drop import rank_on
 from screwkit.loci.hybrid_actuation import state_on
 from screwkit.loci.lifting import with_sheets_together
+from screwkit.loci.limb_drops import limb_drop, limb_pieces
 from screwkit.loci.loop_drop import (
     LoopDrop,
     loop_drop,
@@ -42,7 +43,7 @@ from screwkit.loci.loop_drop import (
 )
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece, pieces_of, told_apart
-from screwkit.loci.rank_drop import generic_rank, rank_drop
+from screwkit.loci.rank_drop import RankDrop, generic_rank
 from screwkit.loci.searching_again import searched_again
 from screwkit.loci.strata import in_ring
 from screwkit.loci.wording import all_solutions, equations_of, solved_equations
@@ -104,7 +105,7 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
     ring = framed.ring
     root, library = assembly.root(ring), assembly.library(ring)
     columns = [framed.column(joint) for joint in limb.joints]
-    found = exact_rank_drop(root, [root], columns, library)
+    found = limb_pieces(assembly, limb, [root])
     pieces = _in_order(found.exact.pieces)
     (drop,) = found.last.drops
     meanings = Meanings(framed, root, library)
@@ -118,7 +119,9 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
         generic_rank=drop.rank,
         complete=found.complete,
         components=tuple(components),
-        intersections=tuple(_intersections(pieces, columns, Search(library))),
+        intersections=tuple(
+            _intersections(pieces, columns, partial(limb_drop, assembly, limb))
+        ),
         proof=_proof(len(drop.minors), drop.rank, pieces) if found.complete else "",
         reason=found.reason,
     )
@@ -154,7 +157,7 @@ def _in_order(pieces: Sequence[Piece]) -> list[Piece]:
 def _intersections(
     pieces: Sequence[Piece],
     columns: Sequence[Sequence[Polynomial]],
-    search: Search,
+    drop_on: Callable[[Branch], RankDrop],
 ) -> list[Intersection]:
     """Where two components meet, and where the rank falls further on them."""
     found: list[Intersection] = []
@@ -163,7 +166,7 @@ def _intersections(
         deeper = [
             lower
             for branch in piece.branches
-            for lower in rank_drop(branch, columns, search).decomposition.branches
+            for lower in drop_on(branch).decomposition.branches
         ]
         for lower in _in_order(pieces_of(deeper)):
             members = tuple(n for n, other in enumerate(pieces) if _lies(lower, other))

@@ -100,6 +100,7 @@ class Assembly:
             self.limbs = _limb_chains(self.mechanism)
         self.assumptions = assumptions_of(mechanism)
         self._libraries: dict[TrigonometricRing, FactorLibrary] = {}
+        self._roots: dict[TrigonometricRing, Branch] = {}
 
     @cached_property
     def at_values(self) -> Assembly | None:
@@ -229,6 +230,11 @@ class Assembly:
 
     def root(self, ring: TrigonometricRing) -> Branch:
         """The whole configuration space of a ring of this mechanism."""
+        if ring not in self._roots:
+            self._roots[ring] = self._root(ring)
+        return self._roots[ring]
+
+    def _root(self, ring: TrigonometricRing) -> Branch:
         dimensions = {p.name for p in self.mechanism.parameters if not p.free}
         indices = tuple(
             index

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Sequence
+from functools import cache, lru_cache
 from itertools import permutations
 from typing import TypeAlias
 
@@ -107,8 +108,8 @@ def monomials_of(
         sign = -1 if term[0] == "-" else 1
         brackets: list[Bracket] = []
         for word in term[1:].split():
-            points = [letters[letter] for letter in word]
-            ordered, turned = _sorted(points)
+            a, b, c, d = (letters[letter] for letter in word)
+            ordered, turned = _sorted(a, b, c, d)
             if len(set(ordered)) < 4 or vanishes(ordered):
                 break
             brackets.append(ordered)
@@ -126,17 +127,21 @@ def shortest_monomials(
     The superbracket changes by its sign alone when lines change places.
     """
     best: dict[Monomial, int] | None = None
+    once = cache(vanishes)  # the same brackets come up in all orders
     for order in permutations(range(6)):
-        found = monomials_of([lines[i] for i in order], vanishes)
-        if best is None or _size(found) < _size(best):
+        found = monomials_of([lines[i] for i in order], once)
+        if best is None or _is_shorter(found, best):
             best = found
         if len(best) <= 1:
             break
     return best or {}
 
 
-def _size(found: dict[Monomial, int]) -> tuple[int, int]:
-    return len(found), -len(common_brackets(found))
+def _is_shorter(found: dict[Monomial, int], best: dict[Monomial, int]) -> bool:
+    """Whether it has fewer monomials, or as many that share more brackets."""
+    if len(found) != len(best):
+        return len(found) < len(best)
+    return len(common_brackets(found)) > len(common_brackets(best))
 
 
 def common_brackets(found: Collection[Monomial]) -> list[Bracket]:
@@ -148,8 +153,9 @@ def common_brackets(found: Collection[Monomial]) -> list[Bracket]:
     return sorted((shared or Counter()).elements())
 
 
-def _sorted(points: Sequence[int]) -> tuple[Bracket, int]:
-    """Points in order, and the sign of the permutation."""
+@lru_cache(maxsize=1 << 15)
+def _sorted(*points: int) -> tuple[Bracket, int]:
+    """Four points in order, and the sign of the permutation."""
     left, sign = list(points), 1
     for i in range(4):
         for j in range(3 - i):

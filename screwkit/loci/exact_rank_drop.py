@@ -7,7 +7,7 @@ References: [CoxLittleOShea] §9.1 (determinantal varieties).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from screwkit.algebra.branches import Branch
@@ -49,6 +49,7 @@ def exact_rank_drop(
     branches: Sequence[Branch],
     columns: Sequence[Column],
     library: FactorLibrary,
+    drop_on: Callable[[Branch], RankDrop],
 ) -> SearchedLocus[DropPieces]:
     """The pieces on which columns have less rank than in general on these branches.
 
@@ -57,11 +58,15 @@ def exact_rank_drop(
         branches: Of one rank or several.
         columns: In the generators of the whole ring.
         library: Factors met before.
+        drop_on: Searches one branch, with no piece known.
     """
 
     def search(given: Sequence[Piece]) -> DropPieces:
-        own = Search(library, skip=lambda b: any(lies_in(b, p) for p in given))
-        drops = tuple(rank_drop(branch, columns, own) for branch in branches)
+        if given:
+            own = Search(library, skip=lambda b: any(lies_in(b, p) for p in given))
+            drops = tuple(rank_drop(branch, columns, own) for branch in branches)
+        else:
+            drops = tuple(map(drop_on, branches))
         found = pieces_of([b for drop in drops for b in drop.decomposition.branches])
         return DropPieces(tuple(without_contained([*given, *found])), drops)
 

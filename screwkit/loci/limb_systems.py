@@ -16,6 +16,7 @@ from functools import reduce
 from itertools import combinations
 from math import comb
 from typing import TypeAlias
+from weakref import WeakKeyDictionary
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factor_library import FactorLibrary
@@ -24,7 +25,7 @@ from screwkit.algebra.points import residue
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.limb_parts import Part, Parts, SideBySide, motion_at
 from screwkit.loci.limb_extensors import primitive_extensor
-from screwkit.loci.rank_drop import extensors
+from screwkit.loci.rank_drop import Column, extensors
 
 Extensor: TypeAlias = Mapping[Bits, Polynomial]
 Ideal: TypeAlias = tuple[Polynomial, ...]
@@ -75,6 +76,10 @@ def limb_system(
     return _Systems(branch, height, library).in_series(parts)
 
 
+_CHAINS: WeakKeyDictionary[FactorLibrary, dict[tuple[int, str], System]]
+_CHAINS = WeakKeyDictionary()  # of joints in series, which most conditions leave alone
+
+
 @dataclass(frozen=True)
 class _Systems:
     branch: Branch
@@ -99,8 +104,18 @@ class _Systems:
             return System({0: self.branch.ring.one}, ())
         vectors = [part for part in columns if not isinstance(part, SideBySide)]
         size = self._dimension(columns)
-        charts = extensors(self.branch, vectors, size)
-        return self._one_of(charts)
+        known = _CHAINS.setdefault(self.library, {})
+        key = size, self._shown(vectors)
+        if key not in known:
+            known[key] = self._one_of(extensors(self.branch, vectors, size))
+        return known[key]
+
+    def _shown(self, vectors: Sequence[Column]) -> str:
+        """The vectors on the branch, and whatever of it their extensor depends on."""
+        branch = self.branch
+        columns = [[str(x) for x in branch.column(vector)] for vector in vectors]
+        divisors = [str(divisor) for divisor in branch.divisors]
+        return f"{columns}{divisors}{[str(p.value) for p in branch.pending]}"
 
     def _side_by_side(self, block: SideBySide) -> System:
         """The dual of the join of the chains' forms."""

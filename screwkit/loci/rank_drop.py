@@ -15,11 +15,11 @@ from screwkit.algebra.branches import Branch
 from screwkit.algebra.common_factors import without_common_factors
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factor_library import FactorLibrary
-from screwkit.algebra.minors import minor_table, minors_of_size
+from screwkit.algebra.minors import minor_table, minors_of, minors_of_size
 from screwkit.algebra.nowhere_zero import without_nowhere_zero
 from screwkit.algebra.points import rank_at
 from screwkit.algebra.search import Decomposition, Search
-from screwkit.algebra.trigonometric import Polynomial, content
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, content
 
 Column = Sequence[Polynomial]
 
@@ -89,13 +89,10 @@ def extensors(
             these factors; where that vanishes the rank is less.
     """
     on_branch = [branch.column(column) for column in columns]
-    table = minor_table(branch.ring, on_branch, len(columns[0]), rank)
     charts = [
         minors
-        for chosen, minors in table.items()
-        if chosen.bit_count() == rank
-        and minors
-        and not branch.vanishes([*minors.values()])
+        for minors in _charts(branch.ring, on_branch, rank)
+        if minors and not branch.vanishes([*minors.values()])
     ]
     nonzero = branch.divisors
     different: dict[str, dict[int, Polynomial]] = {}
@@ -109,6 +106,16 @@ def extensors(
         }
         different.setdefault(str(sorted(chart.items(), key=_by_rows)), chart)
     return sorted(different.values(), key=lambda c: sum(len(v) for v in c.values()))
+
+
+def _charts(
+    ring: TrigonometricRing, columns: Sequence[Column], rank: int
+) -> list[dict[int, Polynomial]]:
+    """The minors of every choice of that many columns."""
+    if rank == len(columns):
+        return [minors_of(ring, columns)]
+    table = minor_table(ring, columns, len(columns[0]), rank)
+    return [minors for chosen, minors in table.items() if chosen.bit_count() == rank]
 
 
 def _by_rows(entry: tuple[int, Polynomial]) -> int:

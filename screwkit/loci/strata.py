@@ -11,7 +11,8 @@ from screwkit.algebra.branches import Branch
 from screwkit.algebra.conversion import Conversion
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.kinematics.assembly import Assembly, LimbChain
-from screwkit.loci.exact_rank_drop import exact_rank_drop, rank_on
+from screwkit.loci.exact_rank_drop import rank_on
+from screwkit.loci.limb_drops import limb_pieces
 from screwkit.loci.rank_drop import generic_rank
 
 _MOST = 40  # strata of one limb
@@ -57,14 +58,13 @@ def limb_strata(assembly: Assembly, limb: LimbChain) -> LimbStrata:
     """Every stratum of a limb, in the limb's own ring."""
     framed = assembly.limb_twists[limb.name]
     columns = [framed.column(joint) for joint in limb.joints]
-    library = assembly.library(framed.ring)
     root = assembly.root(framed.ring)
     found = [Stratum((), generic_rank(root, columns), 0)]
     complete = True
     level: list[Branch] = [root]
     seen: set[frozenset[str]] = set()
     while level and len(found) < _MOST:
-        drop = exact_rank_drop(root, level, columns, library)
+        drop = limb_pieces(assembly, limb, level)
         complete = complete and drop.complete
         level = []
         for piece in drop.exact.pieces:

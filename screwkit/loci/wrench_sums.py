@@ -236,7 +236,9 @@ def _telling(
         vectors = [
             vector
             for own, twists in zip(charts, at_point, strict=True)
-            for vector in spanning_wrenches(branch, own[0], height, len(twists))
+            for vector in spanning_wrenches(
+                branch, own[0], height, len(twists), search.library
+            )
         ]
         dearest = max(CHEAP, min(cost(first, one) for one in units))
         minors = overlap_minors(branch, vectors, (point, prime), dearest, LONGEST)

@@ -36,7 +36,11 @@ Vector = tuple[Polynomial, ...]
 
 
 def spanning_wrenches(
-    branch: Branch, extensor: Mapping[int, Polynomial], height: int, size: int
+    branch: Branch,
+    extensor: Mapping[int, Polynomial],
+    height: int,
+    size: int,
+    library: FactorLibrary | None = None,
 ) -> list[Vector]:
     """Vectors that annihilate the twists of an extensor, and span all that do.
 
@@ -45,6 +49,7 @@ def spanning_wrenches(
         extensor: Of ``size`` twists, by set of rows.
         height: Coordinates of a twist.
         size: Number of independent twists.
+        library: Of the branch's ring; factors met before.
     """
     ring = branch.ring
     found: dict[str, Vector] = {}
@@ -56,13 +61,13 @@ def spanning_wrenches(
             if minor is not None:
                 vector[row] = -minor if place % 2 else minor
         if not branch.vanishes(vector):
-            kept = _shortened(branch, vector)
+            kept = _shortened(branch, vector, library)
             found.setdefault(str(kept), kept)
     return sorted(found.values(), key=_size)
 
 
 def _shortened(
-    branch: Branch, vector: Sequence[Polynomial], library: FactorLibrary | None = None
+    branch: Branch, vector: Sequence[Polynomial], library: FactorLibrary | None
 ) -> Vector:
     values = without_nowhere_zero(branch.ring, vector, branch.divisors)
     shorter = without_common_factors(branch.ring, values, library)
