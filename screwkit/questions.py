@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from screwkit.case import Case
 from screwkit.errors import MechanismFileError, UndecidedError
@@ -23,6 +23,9 @@ from screwkit.results.schemes import Ranking, Schemes
 from screwkit.results.screws import RelativeMotion, Screws
 from screwkit.results.singularities import Singularities
 from screwkit.results.undecided import Undecided
+
+if TYPE_CHECKING:
+    from screwkit.loci.platform_state import States
 
 
 def mobility(case: Case, progress: Progress = silent) -> Mobility:
@@ -156,11 +159,6 @@ def singularities(
         tied = tied_graph(case.network)
         return tied_singularities(tied, progress=progress, finished=finished)
     _need_exact_posture(case)
-    if strata and case.graph is not None:
-        raise UndecidedError(
-            "where components meet is told for mechanisms of limbs that are chains, or "
-            "nestings of chains; without --strata this question is answered"
-        )
     if case.graph is not None:
         from screwkit.analyses.graph_singularities import (  # noqa: PLC0415
             graph_singularities,
@@ -175,13 +173,30 @@ def singularities(
     if strata:
         from screwkit.analyses.strata import strata as found  # noqa: PLC0415
 
-        together = found(case.assembly, answer, strata, progress)
+        together = found(_states(case, answer), answer, strata, progress)
         answer = replace(answer, strata=together)
     if certificate:
         from screwkit.verification import certificate_of  # noqa: PLC0415
 
         answer = replace(answer, certificate=certificate_of(case, answer, progress))
     return answer
+
+
+def _states(case: Case, answer: Singularities) -> States:
+    """What the platform does at the postures of a case, with the scheme of an answer.
+
+    Limbs with loops inside are seen as parts of the joint graph.
+    """
+    from screwkit.kinematics.whole_graph import WholeGraph  # noqa: PLC0415
+    from screwkit.loci.graph_states import GraphStates  # noqa: PLC0415
+    from screwkit.loci.platform_state import PlatformStates  # noqa: PLC0415
+
+    scheme = None if answer.actuation is None else answer.actuation.actuated
+    if case.graph is not None:
+        return GraphStates(case.graph, scheme)
+    if case.assembly.has_blocks:
+        return GraphStates(WholeGraph(case.mechanism), scheme)
+    return PlatformStates(case.assembly, scheme)
 
 
 def distance(

@@ -9,9 +9,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
-from screwkit.algebra.batch import Array
 from screwkit.errors import UndecidedError
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.network import Network
@@ -20,7 +17,7 @@ from screwkit.loci.actuation import passive_joints
 from screwkit.loci.passive import PassiveSystem
 from screwkit.mechanism.graph import Step
 from screwkit.mechanism.model import Mechanism
-from screwkit.metrics.scheme_conditioning import Incidence
+from screwkit.metrics.scheme_conditioning import Incidence, incidence
 
 
 @dataclass(frozen=True)
@@ -68,12 +65,14 @@ def _of_limbs(assembly: Assembly, schemes: Sequence[tuple[str, ...]]) -> RankedM
     states = system.generic_states(
         [passive_joints(assembly, actuated) for actuated in schemes]
     )
-    own = np.array(
-        [[joint in limb.joints for joint in assembly.joints] for limb in assembly.limbs]
-    ).astype(float)
+    first, *others = (
+        [int(joint in limb.joints) for joint in assembly.joints]
+        for limb in assembly.limbs
+    )
+    loops = [[a - b for a, b in zip(first, own, strict=True)] for own in others]
     return RankedMotion(
         tuple(assembly.joints),
-        Incidence(own[:1] - own[1:], own[0]),
+        incidence(loops, first),
         whole.mobility,
         whole.platform_freedom,
         tuple((state.mobility, state.platform_freedom) for state in states),
@@ -95,15 +94,14 @@ def _of_graph(mechanism: Mechanism, schemes: Sequence[tuple[str, ...]]) -> Ranke
         link, step = network.steps[link]
         way.append(step)
     loops = [_signs(network, loop) for loop in network.loops]
-    count = len(network.labels)
     return RankedMotion(
         network.labels,
-        Incidence(np.array(loops).reshape(len(loops), count), _signs(network, way)),
+        incidence(loops, _signs(network, way)),
         *left(()),
         tuple(left(actuated) for actuated in schemes),
     )
 
 
-def _signs(network: Network, steps: Sequence[Step]) -> Array:
+def _signs(network: Network, steps: Sequence[Step]) -> list[int]:
     signs = dict(steps)
-    return np.array([float(signs.get(network.joint_of[x], 0)) for x in network.labels])
+    return [signs.get(network.joint_of[label], 0) for label in network.labels]

@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import cached_property
 from math import pi
 from typing import Literal
 
@@ -25,14 +26,12 @@ from screwkit.algebra.real_point import RealPoint, real_point
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.errors import ExpressionError
-from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.canonical import in_known_conditions
 from screwkit.loci.meetings import Meeting, Meetings, is_inside, recovered, same_set
 from screwkit.loci.pieces import Piece
-from screwkit.loci.platform_state import PlatformStates
-from screwkit.loci.rank_drop import Column, rank_drop
+from screwkit.loci.platform_state import States
 from screwkit.loci.wording import equations_of, solved_equations
-from screwkit.loci.wrench_sums import dependent_zeros
+from screwkit.mechanism.model import Mechanism
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import Component, Singularities
 from screwkit.results.strata import (
@@ -62,7 +61,7 @@ Holds = Literal["everywhere", "generally", "undecided"]
 
 
 def strata(
-    assembly: Assembly,
+    states: States,
     answer: Singularities,
     together: int,
     progress: Progress = silent,
@@ -70,34 +69,36 @@ def strata(
     """Where up to ``together`` components of an answer meet, and what holds there.
 
     Args:
-        assembly: The mechanism of the answer.
+        states: Of the mechanism of the answer, with its scheme.
         answer: Its singularities.
         together: How many components are intersected, at least 1.
         progress: Told about each stage.
     """
-    return _Stratification(assembly, answer, progress).up_to(together)
+    return _Stratification(states, answer, progress).up_to(together)
 
 
 class _Stratification:
     """One run: the mechanism, its scheme, its places."""
 
     def __init__(
-        self, assembly: Assembly, answer: Singularities, progress: Progress
+        self, states: States, answer: Singularities, progress: Progress
     ) -> None:
-        self._assembly = assembly
         self._progress = progress
-        ring = assembly.common_twists.ring
-        self._root = replace(assembly.root(ring), thorough=True)
-        self._search = Search(assembly.library(ring))
-        scheme = None if answer.actuation is None else answer.actuation.actuated
-        self._states = PlatformStates(assembly, scheme)
-        self._scheme = scheme or ()
+        self._root = states.root
+        self._search = Search(states.library)
+        self._states = states
         self._effort = EFFORT
         self._missing = 0
         self._places: list[Piece] = []
         self._labels: list[list[Member]] = []
         for member, component in _components(answer):
             self._take(member, component)
+
+    @cached_property
+    def _generic(self) -> PlatformState:
+        found = self._states.on(self._root)
+        assert found is not None
+        return found
 
     def _take(self, member: Member, component: Component) -> None:
         """A component as a place, or as another name of one that is there."""
@@ -123,8 +124,6 @@ class _Stratification:
         return recovered(self._root, equations, component.codimension, self._search)
 
     def up_to(self, together: int) -> Strata:
-        generic = self._states.on(self._root)
-        assert generic is not None
         self._progress("strata", f"{len(self._places)} conditions")
         meetings = Meetings(self._search, self._places, DEEPEST, TRIED)
         found = meetings.up_to(together)
@@ -138,7 +137,7 @@ class _Stratification:
         return Strata(
             together=together,
             deepest=DEEPEST,
-            generic=generic,
+            generic=self._generic,
             strata=tuple(strata),
             complete=not reasons,
             reason="; ".join(reasons),
@@ -209,8 +208,13 @@ class _Stratification:
         ]
 
     def _expected(self, alone: Sequence[PlatformState]) -> ExpectedState:
-        size = self._assembly.dimension
-        ranks = tuple(map(min, zip(*(s.limb_ranks for s in alone), strict=True)))
+        size = self._states.size
+        ranks = tuple(
+            min(own) if min(own) < generic else max(own)
+            for generic, *own in zip(
+                self._generic.limb_ranks, *(s.limb_ranks for s in alone), strict=True
+            )
+        )
         dependent = max(
             sum(size - rank for rank in s.limb_ranks) - s.wrench_dimension
             for s in alone
@@ -250,42 +254,23 @@ class _Stratification:
             branch.assumptions.is_nonzero(branch.ring, step.divisor)
             for step in branch.steps
         )
-        for limbs in (self._limbs(()), self._limbs(self._scheme)):
-            for limb in limbs:
-                if limb:
-                    search = self._next()
-                    drop = rank_drop(branch, limb, search).decomposition
-                    self._effort -= ON_ONE - search.budget
-                    if any(b.points for b in drop.branches):
-                        return "generally"
-                    complete = complete and drop.complete and not drop.branches
-            search = self._next()
-            before = search.budget
-            zeros = dependent_zeros(branch, limbs, search, within=True)
-            self._effort -= 1 + before - search.budget
-            if zeros.branches:
+        for change in self._states.changes(branch, self._next()):
+            if change.found:
                 return "generally"
-            complete = complete and not zeros.open
-            if not self._scheme:
-                break
+            self._effort -= change.cost
+            complete = complete and change.ruled_out
         return "everywhere" if complete else "undecided"
 
     def _next(self) -> Search:
         budget = max(0, min(ON_ONE, self._effort))
         return replace(self._search, found=[], unfinished=[], special=[], budget=budget)
 
-    def _limbs(self, locked: Sequence[str]) -> list[list[Column]]:
-        return [
-            [*self._assembly.told([j for j in limb.joints if j not in locked])]
-            for limb in self._assembly.limbs
-        ]
-
     # -- real postures -------------------------------------------------------------
 
     def _real(
         self, piece: Piece, apart: Sequence[Sequence[Polynomial]]
     ) -> RealPoint | None:
-        given = dict(_dimensions(self._assembly))
+        given = dict(_dimensions(self._states.mechanism))
         for number, branch in enumerate(piece.branches[:4]):
             found = real_point(branch, given, number, apart)
             if found is not None:
@@ -329,9 +314,9 @@ def _reasons(missing: int, meetings: Meetings) -> list[str]:
     return reasons
 
 
-def _dimensions(assembly: Assembly) -> Iterator[tuple[str, Fraction]]:
+def _dimensions(mechanism: Mechanism) -> Iterator[tuple[str, Fraction]]:
     """Dimensions at the file's values, or at odd numbers where it gives none."""
-    for number, parameter in enumerate(assembly.mechanism.parameters):
+    for number, parameter in enumerate(mechanism.parameters):
         if parameter.free:
             continue
         value = None if parameter.value is None else rational_value(parameter.value)

@@ -1,4 +1,4 @@
-"""What a mechanism's platform can do on a branch: ranks at its exact points.
+"""What the platform at the end of limbs can do on a branch: ranks at its exact points.
 
 The platform's twists are the meet of the limbs' twist systems, whatever overlaps; with
 joints locked, the meet of those of the passive twists.
@@ -8,25 +8,78 @@ References: [Zlatanov2002]; [LongCaroKhalil2012] §5.2.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
+from dataclasses import replace
+from typing import NamedTuple, Protocol
 
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import Point, residue
+from screwkit.algebra.search import Search
 from screwkit.kinematics.assembly import Assembly, loop_rows
 from screwkit.kinematics.subspaces import PlatformSystem
+from screwkit.loci.rank_drop import Column, rank_drop
+from screwkit.loci.wrench_sums import dependent_zeros
+from screwkit.mechanism.model import Mechanism
 from screwkit.results.strata import PlatformState
 
 
+class Change(NamedTuple):
+    """Where on a branch one of the ranks that make a state falls.
+
+    Attributes:
+        found: There are postures with another state.
+        ruled_out: It is proved that there are none.
+        cost: Case distinctions.
+    """
+
+    found: bool
+    ruled_out: bool
+    cost: int
+
+
+class States(Protocol):
+    """States of one mechanism with one scheme, and where they change.
+
+    Attributes:
+        mechanism: Of which they are.
+        size: Coordinates of a twist.
+        root: The whole space of its free symbols.
+        library: The factors met in its ring.
+    """
+
+    mechanism: Mechanism
+    size: int
+    root: Branch
+    library: FactorLibrary
+
+    def on(self, branch: Branch) -> PlatformState | None:
+        """Generic on a branch; None where it has no exact point."""
+
+    def changes(self, branch: Branch, search: Search) -> Iterator[Change]:
+        """By each rank that makes the state.
+
+        Args:
+            branch: Irreducible.
+            search: Its budget is that of each rank.
+        """
+
+
 class PlatformStates:
-    """States of one mechanism with one scheme.
+    """States of limbs that are serial chains.
 
     Args:
-        assembly: The mechanism, its limbs serial chains.
+        assembly: The mechanism.
         actuated: The joints that are locked; None where none is.
     """
 
     def __init__(self, assembly: Assembly, actuated: Collection[str] | None) -> None:
+        ring = assembly.common_twists.ring
+        self.mechanism = assembly.mechanism
+        self.size = assembly.dimension
+        self.root = replace(assembly.root(ring), thorough=True)
+        self.library = assembly.library(ring)
         self._assembly = assembly
         self._actuated = actuated
 
@@ -69,3 +122,24 @@ class PlatformStates:
             mobility=len(assembly.joints) - (rank(rows, prime) if rows else 0),
             locked_freedom=locked,
         )
+
+    def changes(self, branch: Branch, search: Search) -> Iterator[Change]:
+        """Where limbs lose a rank, or their wrenches become dependent."""
+        choices = [self._limbs(())]
+        if self._actuated:
+            choices.append(self._limbs(self._actuated))
+        for limbs in choices:
+            for limb in filter(None, limbs):
+                drop = rank_drop(branch, limb, search).decomposition
+                found = any(b.points for b in drop.branches)
+                yield Change(found, drop.complete and not drop.branches, 0)
+            own = replace(search, found=[], unfinished=[], special=[])
+            zeros = dependent_zeros(branch, limbs, own, within=True)
+            cost = 1 + search.budget - own.budget
+            yield Change(bool(zeros.branches), not zeros.open, cost)
+
+    def _limbs(self, locked: Collection[str]) -> list[list[Column]]:
+        return [
+            [*self._assembly.told([j for j in limb.joints if j not in locked])]
+            for limb in self._assembly.limbs
+        ]

@@ -50,6 +50,14 @@ class Incidence:
     way: Array
 
 
+def incidence(loops: Sequence[Sequence[int]], way: Sequence[int]) -> Incidence:
+    """What closes and what carries the platform, from signs by freedom."""
+    return Incidence(
+        np.array(loops, dtype=float).reshape(len(loops), len(way)),
+        np.array(way, dtype=float),
+    )
+
+
 def driving(
     twists: Array, incidence: Incidence, mobility: int, freedom: int
 ) -> Driving:

@@ -30,7 +30,8 @@ class PlatformState:
     """What holds the platform, and what it can do.
 
     Attributes:
-        limb_ranks: Of each limb's twists, in the order of the answer.
+        limb_ranks: Dimension of the twists that each limb alone allows the platform,
+            in the order of the answer.
         wrench_dimension: Of the platform's constraint wrenches.
         platform_freedom: Dimension of its twists.
         motion_type: Of these, nTmR: translations, and the rest.
@@ -51,7 +52,8 @@ class PlatformState:
 class ExpectedState:
     """What the conditions of a stratum suggest, each taken alone.
 
-    Each limb has the least rank that one of them gives it, the constraints of the
+    Each limb has the least rank that one of them gives it, or the largest where none
+    takes a freedom from it (loops inside it may give it some); the constraints of the
     limbs depend on each other as much as on one of them, and the locked platform keeps
     as much freedom as on one of them, at most.
     """

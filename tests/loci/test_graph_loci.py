@@ -32,7 +32,6 @@ from loci.test_hybrid_loci import (
 
 import screwkit as sk
 from screwkit.case import load_text
-from screwkit.errors import UndecidedError
 from screwkit.questions import schemes, singularities
 from screwkit.results.singularities import Component
 
@@ -362,11 +361,6 @@ def test_inadmissible_schemes_keep_what_floats_find() -> None:
         left = freedom(whole.platform(scheme.actuated))
         assert scheme.generic_rank == 6 - left
         assert scheme.admissible == (left == 0)
-
-
-def test_a_graph_has_no_strata_yet() -> None:
-    with pytest.raises(UndecidedError, match="without --strata"):
-        singularities(sk.load("peaucellier"), strata=2)
 
 
 def test_names_of_consecutive_pins_are_unique() -> None:
