@@ -12,12 +12,12 @@ from itertools import product
 from typing import Any
 
 from screwkit.algebra.expression import Call, Expression, Power, Quotient
-from screwkit.algebra.expression_building import children
+from screwkit.algebra.expression_building import children, symbols_of
 from screwkit.algebra.rational_values import rational_value
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import Part
 from screwkit.certificates.signs import Signs
-from screwkit.certificates.texts import RefusedError, read
+from screwkit.certificates.texts import RefusedError, names_in, read
 
 _WORDS = frozenset(
     {"kind", "symbol", "end", "axis", "question", "origin", "limb", "reason"}
@@ -89,12 +89,14 @@ def _is_of_divisors(text: str, postures: Postures) -> bool:
 
     Where that vanishes there is no posture.
     """
+    names = names_in(text)
+    divisors = [d for d in postures.divisors if symbols_of(d) <= names]
+    if len(divisors) > _MOST_DIVISORS:
+        return False
     points = postures.several(Way())
     own = [point.value(read(text)) for point in points]
-    values = [[point.value(d) for d in postures.divisors] for point in points]
-    if len(postures.divisors) > _MOST_DIVISORS:
-        return False
-    for powers in product(range(_HIGHEST + 1), repeat=len(postures.divisors)):
+    values = [[point.value(d) for d in divisors] for point in points]
+    for powers in product(range(_HIGHEST + 1), repeat=len(divisors)):
         ratios = set()
         for value, known in zip(own, values, strict=True):
             below = points[0].one
