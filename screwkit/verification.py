@@ -88,6 +88,7 @@ def verify(
     from screwkit.analyses.assumed import assumptions_in_words  # noqa: PLC0415
     from screwkit.case import load, load_text  # noqa: PLC0415
     from screwkit.certificates.checking import check  # noqa: PLC0415
+    from screwkit.certificates.missing_parts import missing_from  # noqa: PLC0415
     from screwkit.certificates.texts import RefusedError  # noqa: PLC0415
     from screwkit.kinematics.assembly import assumptions_of  # noqa: PLC0415
 
@@ -110,7 +111,14 @@ def verify(
     except (RefusedError, ScrewkitError) as refusal:
         return Verification(document.case, carried.title, False, (), str(refusal))
     parts = _parts(document, found)
-    return Verification(document.case, carried.title, True, parts, assumptions=assumed)
+    return Verification(
+        document.case,
+        carried.title,
+        True,
+        parts,
+        assumptions=assumed,
+        missing=missing_from(document.parts, carried, secrets.randbits(64)),
+    )
 
 
 def _read(path: Path) -> Certificate:

@@ -23,6 +23,7 @@ from screwkit.certificates.claimed_loci import ClaimedLoci
 from screwkit.certificates.findings import Findings, name_of
 from screwkit.certificates.general_claims import GeneralClaims
 from screwkit.certificates.graph_matrix import GraphMatrix
+from screwkit.certificates.plain_texts import all_plain
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.real_postures import RealPostures
 from screwkit.certificates.records import (
@@ -129,6 +130,7 @@ class _PartCheck:
             raise RefusedError(f"{part.question!r} is no question")
         if part.question != "actuation" and (part.locked or part.idle):
             raise RefusedError("only actuation locks joints")
+        all_plain(part, self._postures, self._signs)
         loci = self._loci
         loci.generic()
         real = []
@@ -358,7 +360,7 @@ class _PartCheck:
             if len(texts) != 1 or not self._signs.never_zero(texts[0]):
                 raise RefusedError(f"{case.equations[0]} may vanish")
         elif case.end == "special":
-            if not any(symbols_of(e) <= self._dimensions for e in texts):
+            if not any(self._is_of_dimensions(e) for e in texts):
                 raise RefusedError(f"{case.equations[0]} is not of dimensions alone")
         elif case.end == "unreal":
             a, b, c = self._solutions.numbers(case, case.angle, case.numbers, way)
@@ -379,6 +381,13 @@ class _PartCheck:
             self._node(case.kept, replace(way, conditions=conditions))
         else:
             raise RefusedError(f"{case.equations[0]}: nothing is said of this case")
+
+    def _is_of_dimensions(self, expression: Expression) -> bool:
+        """Whether an expression holds for special dimensions alone, if for any."""
+        point = next(self._postures.on(Way()))
+        return symbols_of(expression) <= self._dimensions and bool(
+            point.value(expression) != 0
+        )
 
     def _divides(self, case: Case, way: Way) -> None:
         """What a step divides by is a multiple of the case, and vanishes nowhere."""

@@ -72,6 +72,7 @@ class Postures:
         declared: Each declared angle as an integer combination of basis angles.
         symbols: What the geometry depends on besides angles.
         divisors: What the geometry divides by.
+        radicands: Whose square roots it takes.
         plain: Whether it has no roots of symbols and no angles in numbers.
 
     Raises:
@@ -93,7 +94,7 @@ class Postures:
         wanted = {*seen.angles, *map(str, seen.constant_angles)}
         self.declared = _declared(part.angles, wanted)
         self.symbols = tuple(seen.symbols)
-        self.divisors = tuple(seen.divisors)
+        self.divisors, self.radicands = tuple(seen.divisors), tuple(seen.roots)
         self.plain = not seen.constant_angles and all(
             isinstance(root, Number) for root in seen.roots
         )

@@ -106,14 +106,18 @@ class Solutions:
         a, b, c = map(fraction, numbers)
         if not a and not b:
             raise RefusedError("the equation says nothing of an angle")
+        ratios = set()
         for point in self._postures.several_before(way):
             found = self._linear(read(case.equations[0]), angle, point, way)
             given = [point.rational(value) for value in (a, b, c)]
-            pairs = ((0, 1), (0, 2), (1, 2))
-            if not any(found) or any(
-                found[i] * given[j] != found[j] * given[i] for i, j in pairs
+            ratio = found[0] / given[0] if a else found[1] / given[1]
+            if ratio == 0 or any(
+                own != ratio * known for own, known in zip(found, given, strict=True)
             ):
                 raise RefusedError(f"{case.equations[0]} has other numbers")
+            ratios.add(int(ratio))
+        if len(ratios) > 1:
+            raise RefusedError(f"{case.equations[0]} has a factor besides")
         return a, b, c
 
     def elsewhere(self, case: Case, way: Way) -> None:

@@ -13,7 +13,7 @@ def verification_blocks(answer: Verification) -> tuple[Block, ...]:
     """The whole answer."""
     if not answer.accepted:
         return (Paragraph(words(f"refused: {answer.reason}"), 1),)
-    every = all(part.proved for part in answer.parts)
+    every = all(part.proved for part in answer.parts) and not answer.missing
     said = "accepted: every list is complete" if every else "accepted, with open lists"
     if every and any(part.sampled_conditions for part in answer.parts):
         said = "accepted: every list is complete, with the reservation below"
@@ -21,6 +21,9 @@ def verification_blocks(answer: Verification) -> tuple[Block, ...]:
     for part in answer.parts:
         lines.append(Paragraph(words(_line(part)), 2))
         lines += [Paragraph(words(text), 3) for text in _remarks(part)]
+    if answer.missing:
+        named = ", ".join(answer.missing)
+        lines.append(Paragraph(words(f"nothing is said of: {named}"), 2))
     if answer.assumptions:
         lines.append(Paragraph(words(f"assumed: {', '.join(answer.assumptions)}"), 1))
     return tuple(lines)

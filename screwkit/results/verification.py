@@ -46,6 +46,8 @@ class Verification(Shown):
         accepted: Whether everything that the certificate claims was found to hold.
         reason: What does not hold; empty where it is accepted.
         assumptions: What the proofs take for granted, ``d3 > 0``.
+        missing: What the certificate says nothing about: ``limb right``, ``constraint``
+            or ``actuation``.
     """
 
     case: str
@@ -54,3 +56,4 @@ class Verification(Shown):
     parts: tuple[VerifiedPart, ...]
     reason: str = ""
     assumptions: tuple[str, ...] = ()
+    missing: tuple[str, ...] = ()

@@ -87,6 +87,23 @@ def test_every_list_of_these_cases_is_proved_complete(
     ]
 
 
+def test_what_a_certificate_leaves_out_is_named(tmp_path: Path) -> None:
+    document = json.loads(certificate("3rpr_planar"))
+    path = tmp_path / "certificate.json"
+    path.write_text(json.dumps(document), encoding="utf-8")
+    assert verify(None, str(path)).missing == ()
+    document["parts"] = [
+        part
+        for part in document["parts"]
+        if part["question"] != "actuation" and part.get("limb") != "leg2"
+    ]
+    path.write_text(json.dumps(document), encoding="utf-8")
+    found = verify(None, str(path))
+    assert found.accepted
+    assert found.missing == ("limb leg2", "actuation")
+    assert "every list is complete" not in str(found)
+
+
 def test_reading_gives_back_what_was_written() -> None:
     text = certificate("agile_eye")
     assert to_text(from_text(text)) == text

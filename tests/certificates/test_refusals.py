@@ -1,0 +1,113 @@
+"""Ways to cheat: quotients, scales, factors besides, and what is no equation."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from certificates.forged import (
+    POSITIVE,
+    TWO_LENGTHS,
+    judged,
+    limb,
+    minor,
+    three_joints,
+)
+
+from screwkit.certificates.records import (
+    Case,
+    Locus,
+    Multiple,
+    Node,
+    Reach,
+    Sheet,
+    Step,
+)
+from screwkit.certificates.texts import RefusedError
+
+
+def kept(text: str, node: Node) -> Case:
+    return Case((text,), 1, kept=node)
+
+
+AT_B = Locus(
+    ("a - b",), 2, -1, (Reach((Step("symbol", symbol="a", value="b", over="1"),)),)
+)
+
+
+def test_a_quotient_makes_nothing_a_multiple() -> None:
+    """(a − b) = ((a − b)/sin q)·sin q, which says nothing where sin q = 0."""
+    leaf = Node(1, component=0, multiples=(Multiple(0, 0, "(a - b)/sin(q)", {}),))
+    proof = minor(
+        POSITIVE,
+        Case(("a - b",), 1, end="special"),
+        kept("sin(q)", leaf),
+    )
+    with pytest.raises(RefusedError, match="no polynomial"):
+        judged(TWO_LENGTHS, limb(AT_B, proof=proof))
+
+
+def test_a_quotient_makes_no_sum_that_vanishes_nowhere() -> None:
+    """(1/sin q)·sin q = 1 has no case to be looked at."""
+    none = Node(1, combination=(Multiple(-1, 0, "1/sin(q)", {}),))
+    proof = minor(POSITIVE, Case(("a - b",), 1, end="special"), kept("sin(q)", none))
+    for times in ("1/sin(q)", "sin(q)^-1", "tan(q)/sin(q)", "sqrt(a)"):
+        one = replace(none, combination=(Multiple(-1, 0, times, {}),))
+        forged = replace(proof, cases=(*proof.cases[:2], kept("sin(q)", one)))
+        with pytest.raises(RefusedError, match="no polynomial"):
+            judged(TWO_LENGTHS, limb(proof=forged))
+
+
+def test_scales_do_not_vanish() -> None:
+    """Twists times sin q vanish where sin q = 0, and their axes do not."""
+    free = Node(1, axis="1", multiples=(Multiple(0, 0, "sin(q)", {}),))
+    proof = minor(
+        POSITIVE,
+        Case(("a - b",), 1, end="special"),
+        Case(("sin(q)",), 2, kept=free),
+    )
+    with pytest.raises(RefusedError, match="may vanish"):
+        judged(TWO_LENGTHS, replace(limb(proof=proof), scales={"1": "sin(q)"}))
+
+
+# det: c·x·(5·sin q − 3).
+TWO_FACTORS = three_joints(
+    "parameters: {c: {value: 1, positive: true}}\n"
+    "variables: {q: {value: 0.3, angle: true}, x: 1}",
+    "[c, 0]",
+    "[cos(q), x*(5*sin(q) - 3)]",
+)
+
+
+@pytest.mark.parametrize("number", ["3", "7"])
+def test_numbers_for_an_angle_leave_no_factor_out(number: str) -> None:
+    """x·(5·sin q − 7) vanishes where x = 0, though 5·sin q = 7 has no solution."""
+    text = f"x*(5*sin(q) - {number})"
+    mechanism = TWO_FACTORS.replace("x*(5*sin(q) - 3)", text)
+    numbers = ("5", "0", f"-{number}")
+    step = Step("numbers", angle=0, numbers=numbers)
+    locus = Locus((f"5*sin(q) - {number}",), 2, -1, (Reach((step,)),))
+    case = Case((text,), 1, sheets=(Sheet(step, Node(1, component=0)),))
+    ended = Case((text,), 1, end="unreal", numbers=numbers, angle=0)
+    forged = (
+        limb(locus, proof=minor(POSITIVE, case))
+        if number == "3"
+        else limb(proof=minor(POSITIVE, ended))
+    )
+    with pytest.raises(RefusedError, match="factor besides"):
+        judged(mechanism, forged)
+
+
+def test_zero_is_no_equation_of_dimensions() -> None:
+    """0² + sin²q vanishes for all dimensions."""
+    pair = Case(("0", "sin(q)"), 2, end="special")
+    proof = minor(
+        Case(("c",), 2, end="positive"), Case(("a - b",), 2, end="special"), pair
+    )
+    with pytest.raises(RefusedError, match="dimensions alone"):
+        judged(TWO_LENGTHS, limb(proof=replace(proof, cases=fixed(proof.cases))))
+
+
+def fixed(cases: tuple[Case, ...]) -> tuple[Case, ...]:
+    """Powers count squares where some case has two equations."""
+    return tuple(replace(own, power=1) for own in cases)
