@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import pytest
 from finite.frames import FRAMES, Frame, Given
 from finite.linkages import ball, flat_ring, hinge, network, slider
@@ -157,3 +159,27 @@ def test_rods_on_a_circle_are_not_claimed() -> None:
     circle = [(5, 0, 0), (0, 5, 0), (-5, 0, 0), (3, 4, 0), (-4, 3, 0)]
     plate = plate_on_rods(circle, (0, 0, 3))
     assert proved_mobility(plate, plate.motion) is None
+
+
+@pytest.mark.parametrize("frame", FRAMES)
+def test_balls_turn_about_the_axes_of_the_hinges_beside_them(frame: Frame) -> None:
+    """Arms of one length swing in a plane, and a bar on their balls across it.
+
+    The balls stay in a row, shifted by the arms' common angle.  The bar's line through
+    the upper hinges goes round the row at a fixed distance, and the bar round its line:
+    two circles of shifts and one rotation.  To first order the arms part, too.
+    """
+    joints = []
+    for k, x in enumerate((2, 1, -2)):
+        low, ball_at, high = ((x, -1, z) for z in (0, Fraction(3, 2), 3))
+        across, along = frame.direction((0, 1, 0)), frame.direction((1, 0, 0))
+        joints += [
+            hinge(f"R{k}", "base", f"arm{k}", frame.point(low), across),
+            ball(f"S{k}", f"arm{k}", f"link{k}", frame.point(ball_at)),
+            hinge(f"T{k}", f"link{k}", "bar", frame.point(high), along),
+        ]
+    robot = network(*joints, platform="bar")
+    assert robot.motion.mobility == 4
+    found = mobility(robot)
+    assert (found.full_cycle.status, found.full_cycle.mobility) == ("proved", (3,))
+    assert found.platform.finite_motion_types == ("2T1R",)
