@@ -99,7 +99,7 @@ def minors_of(
     for column in columns:
         entries = [(row, x) for row, x in enumerate(column) if not ring.is_zero(x)]
         if largest is not None:
-            _held(products_of_terms(minors, entries), largest)
+            held(products_of_terms(minors, entries), largest)
         minors = _extended(ring, minors, entries)
     return minors
 
@@ -116,7 +116,12 @@ def products_of_terms(
     )
 
 
-def _held(products: int, largest: int) -> None:
+def held(products: int, largest: int) -> None:
+    """Refuse what takes too many products of terms.
+
+    Raises:
+        TooLargeError: If there are more than the largest number.
+    """
     if products > largest:
         millions = f"{products / 1e6:.2g} million"
         if products >= 1e8:
@@ -154,9 +159,24 @@ def dual(ring: Ring[S], minors: Mapping[Bits, S], height: int) -> dict[Bits, S]:
 
 
 def joined(
-    ring: Ring[S], left: Mapping[Bits, S], right: Mapping[Bits, S]
+    ring: Ring[S],
+    left: Mapping[Bits, S],
+    right: Mapping[Bits, S],
+    largest: int | None = None,
 ) -> dict[Bits, S]:
-    """The join (wedge) of two extensors given by their coordinates."""
+    """The join (wedge) of two extensors given by their coordinates.
+
+    Args:
+        ring: Gives normal forms and decides zero.
+        left: By set of rows; polynomials where ``largest`` is given.
+        right: As ``left``.
+        largest: Products of terms that it may take.
+
+    Raises:
+        TooLargeError: If it would take more, before anything is multiplied out.
+    """
+    if largest is not None:
+        held(products_of_join(left, right), largest)
     sums: dict[Bits, S] = {}
     for a, x in left.items():
         for b, y in right.items():
@@ -171,6 +191,13 @@ def joined(
     return {rows: value for rows, value in normal.items() if not ring.is_zero(value)}
 
 
+def products_of_join(left: Mapping[Bits, Any], right: Mapping[Bits, Any]) -> int:
+    """How many terms are multiplied with each other to join two extensors."""
+    return sum(
+        len(x) * len(y) for a, x in left.items() for b, y in right.items() if not a & b
+    )
+
+
 def _shuffle_is_odd(left: Bits, right: Bits) -> bool:
     inversions = 0
     while right:
@@ -181,14 +208,26 @@ def _shuffle_is_odd(left: Bits, right: Bits) -> bool:
 
 
 def combined(
-    ring: Ring[S], extensors: Sequence[Mapping[Bits, S]], height: int
+    ring: Ring[S],
+    extensors: Sequence[Mapping[Bits, S]],
+    height: int,
+    largest: int | None = None,
 ) -> dict[Bits, S]:
     """Join of the duals of several twist extensors: the wrenches of all limbs together.
 
     Where the limbs' passive twists just fill the loop equations, the result has the one
     coordinate of the full set of rows, and that is the determinant of the passive
     columns of the loop constraint matrix, up to sign (Grassmann–Cayley meet).
+
+    Args:
+        ring: Gives normal forms and decides zero.
+        extensors: Of twists.
+        height: Coordinates of a twist.
+        largest: Products of terms that one join may take.
+
+    Raises:
+        TooLargeError: If a join would take more, before it is multiplied out.
     """
     duals = [dual(ring, minors, height) for minors in extensors]
     duals.sort(key=len)
-    return reduce(lambda left, right: joined(ring, left, right), duals)
+    return reduce(lambda left, right: joined(ring, left, right, largest), duals)

@@ -57,11 +57,13 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
         # Shorter minors tell where limbs that keep their ranks become dependent.
         apart = Search(library, budget=_APART)
         kept = dependent_zeros(root, limbs, apart, within=True)
-        zeros = Dependence((*zeros.branches, *kept.branches), zeros.open)
+        both = *zeros.branches, *kept.branches
+        zeros = Dependence(both, zeros.open, kept.reason or zeros.reason)
     pieces = pieces_of(zeros.branches)
     states = [_state(system, piece, passive) for piece in pieces]
     complete = all(_known(branch, pieces) for branch in zeros.open)
-    reason = "" if complete else "the zeros of the determinant were not all decided"
+    undecided = "the zeros of the determinant were not all decided"
+    reason = "" if complete else zeros.reason or undecided
     moving = [p for p, s in zip(pieces, states, strict=True) if s.platform_freedom]
     waiting = [p for p, s in zip(pieces, states, strict=True) if not s.platform_freedom]
     search = Search(library, budget=_IDLE)

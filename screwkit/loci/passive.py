@@ -247,7 +247,8 @@ class PassiveSystem:
         if len(passive) < equations and count == 2:
             both = [self._primitive(i, passive) for i in range(2)]
             content = content_of(both)
-            for rest in joined(ring, *(e.coordinates for e in both)).values():
+            one, other = (e.coordinates for e in both)
+            for rest in joined(ring, one, other).values():
                 yield Minor(rest, content)
             return
         found = False

@@ -25,12 +25,13 @@ from typing import TypeAlias
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros
-from screwkit.algebra.minors import combined, joined
+from screwkit.algebra.minors import combined, held, joined
 from screwkit.algebra.modular import annihilator, independent, rank
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.ring import Ring
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
+from screwkit.errors import TooLargeError
 from screwkit.kinematics.assembly import loop_rows
 from screwkit.kinematics.limb_parts import (
     Parts,
@@ -41,6 +42,7 @@ from screwkit.kinematics.limb_parts import (
     motion_at,
 )
 from screwkit.loci.limb_systems import UnclearError, limb_system
+from screwkit.loci.predicted_size import predicted_terms
 from screwkit.loci.rank_drop import extensors
 from screwkit.loci.reciprocal_meets import reciprocal_meets
 from screwkit.loci.wrench_vectors import Vector, overlap_minors, spanning_wrenches
@@ -53,6 +55,12 @@ TRIED = 24
 
 COSTLIEST = 10**13
 """Products of terms in the expansion of one minor."""
+
+LARGE, MOST_TERMS = 10**9, 4_000_000
+"""Products beyond which terms are predicted, and how many of them are expanded."""
+
+PRODUCTS = 30_000_000
+"""Of terms, in one join of two extensors."""
 
 CHEAP = 200
 """Products of terms in a minor of wrenches, which tells more than a join does."""
@@ -71,10 +79,12 @@ class Dependence:
     Attributes:
         branches: On each the loop constraint matrix has lost rank, at exact points.
         open: Branches that were not decided; every further zero lies on one of them.
+        reason: Why, where a determinant was too long.
     """
 
     branches: tuple[Branch, ...]
     open: tuple[Branch, ...]
+    reason: str = ""
 
 
 def filling_units(
@@ -117,14 +127,18 @@ def filling_units(
 def sum_minors(
     ring: Ring[Polynomial], limbs: Sequence[Extensor], units: Units, height: int
 ) -> list[Polynomial]:
-    """The minors of the loop constraint matrix that belong to some unit twists."""
+    """The minors of the loop constraint matrix that belong to some unit twists.
+
+    Raises:
+        TooLargeError: If a join would take too many products of terms.
+    """
     filled = [
         reduce(
             lambda all_, unit: joined(ring, all_, {1 << unit: ring.one}), own, extensor
         )
         for extensor, own in zip(limbs, units, strict=True)
     ]
-    return list(combined(ring, filled, height).values())
+    return list(combined(ring, filled, height, PRODUCTS).values())
 
 
 def cost(limbs: Sequence[Extensor], units: Units) -> int:
@@ -164,12 +178,20 @@ def dependent_zeros(
     found: list[Branch] = []
     left: list[Branch] = []
     waiting = [branch]
+    reasons: list[str] = []
     while waiting:
         here = waiting.pop()
-        polynomials = _telling(here, limbs, search, within=within)
+        try:
+            polynomials = _telling(here, limbs, search, within=within)
+        except TooLargeError as error:
+            reasons.append(str(error))
+            polynomials = None
         if polynomials is None or search.budget <= 0:
             left.append(here)
             continue
+        shortest = min(map(len, polynomials))
+        if shortest > search.largest:
+            reasons.append(f"a determinant has {shortest:,} terms, too many to factor")
         own = replace(search, found=[], unfinished=[], special=[])
         zeros = common_zeros(here, polynomials, own)
         search.budget = own.budget - 1
@@ -182,7 +204,7 @@ def dependent_zeros(
                 found.append(part)
             else:
                 waiting.append(part)
-    return Dependence(tuple(found), tuple(left))
+    return Dependence(tuple(found), tuple(left), "; ".join(dict.fromkeys(reasons)))
 
 
 def height_of(limbs: Sequence[Parts]) -> int:
@@ -211,7 +233,10 @@ def _telling(
 ) -> list[Polynomial] | None:
     """Minors of the rank on a branch, one of them not zero at a point of it.
 
-    None where there is no point, or all minors are too long.
+    None where there is no point.
+
+    Raises:
+        TooLargeError: If all minors are too long; none of them was expanded then.
     """
     if not branch.points:
         return None
@@ -249,13 +274,42 @@ def _telling(
         if any(residue(value, point, prime) for value in meets):
             return meets
     polynomials: list[Polynomial] = []
+    refused: list[TooLargeError] = []
     for chosen, one in islice(product(product(*charts), units[:TOGETHER]), MOST):
-        if cost(chosen, one) > COSTLIEST:
+        try:
+            polynomials += _expanded(branch, chosen, one, height)
+        except TooLargeError as error:
+            refused.append(error)
             continue
-        polynomials += sum_minors(branch.ring, chosen, one, height)
         if sum(map(len, polynomials)) > LONGEST:
             break
+    if refused and not polynomials:
+        raise refused[0]
     return polynomials or None
+
+
+def _expanded(
+    branch: Branch, chosen: Sequence[Extensor], units: Units, height: int
+) -> list[Polynomial]:
+    """`sum_minors`, refused before they are expanded if they have too many terms."""
+    products = cost(chosen, units)
+
+    def expand(limbs: Sequence[Extensor]) -> list[Polynomial]:
+        return sum_minors(branch.ring, limbs, units, height)
+
+    try:
+        terms = predicted_terms(branch.ring, chosen, expand) if products > LARGE else 0
+        if not terms or terms <= MOST_TERMS:
+            held(products, COSTLIEST)
+            return expand(chosen)
+    except TooLargeError as error:
+        raise TooLargeError(
+            f"a determinant takes {error}, and was not expanded"
+        ) from error
+    raise TooLargeError(
+        f"a determinant has about {terms / 1e6:,.0f} million terms, and was not "
+        f"expanded"
+    )
 
 
 def _twists(branch: Branch, limbs: Sequence[Parts]) -> list[list[Vector]]:
