@@ -159,6 +159,12 @@ def singularities(
         tied = tied_graph(case.network)
         return tied_singularities(tied, progress=progress, finished=finished)
     _need_exact_posture(case)
+    if strata and case.network.tied:
+        raise UndecidedError(
+            f"{case.network.tied}; conditions there hold at closed postures, and where "
+            f"several hold together is not looked for; without --strata this question "
+            f"is answered"
+        )
     if certificate and (case.graph is not None or case.assembly.has_blocks):
         raise UndecidedError(
             "limbs have loops inside, or loops lie outside limbs, of which no "
