@@ -159,6 +159,12 @@ def singularities(
         tied = tied_graph(case.network)
         return tied_singularities(tied, progress=progress, finished=finished)
     _need_exact_posture(case)
+    if strata and case.network.tied:
+        raise UndecidedError(
+            f"{case.network.tied}; conditions there hold at closed postures, and where "
+            f"several hold together is not looked for; without --strata this question "
+            f"is answered"
+        )
     if case.graph is not None:
         from screwkit.analyses.graph_singularities import (  # noqa: PLC0415
             graph_singularities,

@@ -23,21 +23,38 @@ def never_met(ring: TrigonometricRing, equations: Sequence[Polynomial]) -> bool:
     Args:
         ring: Of the equations.
         equations: In normal form; those in more unknowns than one, or with
-            irrational numbers, are passed over.
+            irrational numbers that are no square roots, are passed over.
     """
     if any(e.is_constant() and e != 0 for e in equations):
         return True
     numbers = [ring.names.index(name) for name in ring.constant_generators]
     irrational = [*range(len(ring.extensions)), *numbers]
     by_unknown: dict[Unknown, list[Polynomial]] = {}
-    for equation in equations:
-        own = unknowns(ring, equation)
+    for given in equations:
+        own = unknowns(ring, given)
+        if len(own) != 1:
+            continue
+        equation = _rational(ring, given)
         degrees = equation.degrees()
-        if len(own) == 1 and not any(degrees[i] for i in irrational):
+        if not any(degrees[i] for i in irrational):
             by_unknown.setdefault(own[0], []).append(equation)
     return any(
         not _has_real_zero(ring, own, unknown) for unknown, own in by_unknown.items()
     )
+
+
+def _rational(ring: TrigonometricRing, equation: Polynomial) -> Polynomial:
+    """The product of an equation with its conjugates: it vanishes wherever that does.
+
+    Without square roots; other irrational numbers stay.
+    """
+    for name in ring.constant_generators:
+        index = ring.names.index(name)
+        if equation.degrees()[index]:
+            gens = list(ring.context.gens())
+            gens[index] = -gens[index]
+            equation = ring.normal(equation * equation.compose(*gens))
+    return equation
 
 
 def _has_real_zero(

@@ -9,11 +9,13 @@ References: [LongCaroKhalil2012] §5, [Zlatanov2002].
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 from screwkit.algebra.points_on import Unknown
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.solve import solutions
+from screwkit.analyses.closed_example import closed_example
 from screwkit.analyses.tied_branch import rank_in_the_file
 from screwkit.analyses.whole_singularities import (
     graph_component,
@@ -22,8 +24,9 @@ from screwkit.analyses.whole_singularities import (
 )
 from screwkit.kinematics.tied_graph import TiedGraph
 from screwkit.kinematics.whole_graph import GraphState
+from screwkit.loci.closed_pieces import TiedLocus, TiedPiece
 from screwkit.loci.graph_witness import GraphWitnesses
-from screwkit.loci.tied_loci import TiedLocus, TiedPiece, columns_locus, loop_locus
+from screwkit.loci.tied_loci import columns_locus, loop_locus
 from screwkit.loci.wording import all_solutions, equations_of, solved_equations
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
@@ -124,6 +127,7 @@ def _limb(graph: TiedGraph, number: int, kept: Sequence[Unknown]) -> LimbSingula
                 rank=graph.rank_of(labels, one.points),
                 geometry=_where_closed(graph, one),
                 wrench_dimension=_size(graph) - graph.rank_of(labels, one.points),
+                example=closed_example(graph, one.piece.equations),
             )
             for one in locus.pieces
         ),
@@ -182,7 +186,8 @@ def _component(
     graph: TiedGraph, one: TiedPiece, state: GraphState, rank: int
 ) -> Component:
     geometry = _where_closed(graph, one)
-    return graph_component(one.piece, state, _size(graph), rank, geometry)
+    component = graph_component(one.piece, state, _size(graph), rank, geometry)
+    return replace(component, example=closed_example(graph, one.piece.equations))
 
 
 def _where_closed(graph: TiedGraph, one: TiedPiece) -> str | None:

@@ -9,19 +9,23 @@ References: [LongCaroKhalil2012] (4)-(9), [Schwartz1980].
 
 from __future__ import annotations
 
+import random
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
+from screwkit.algebra.angle_elimination import Elimination, eliminated
+from screwkit.algebra.branches import random_branch_prime
 from screwkit.algebra.decomposition import common_zeros
-from screwkit.algebra.points import Point, rank_at
-from screwkit.algebra.points_on import Unknown
+from screwkit.algebra.points import Point, rank_at, residue
+from screwkit.algebra.points_on import Unknown, unknowns
 from screwkit.algebra.search import Search
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.errors import UndecidedError
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.kinematics.freedoms import JointTwist
+from screwkit.kinematics.link_invariants import link_invariants
 from screwkit.kinematics.loop_closing import closing_equations, with_rods_outside
 from screwkit.kinematics.network import Motion, Network, motion
 from screwkit.kinematics.placement import joint_twists
@@ -30,6 +34,7 @@ from screwkit.mechanism.model import JointType, Mechanism
 from screwkit.screw import vector
 
 _BUDGET = 60  # case distinctions on the closing equations
+_POINTS = 4  # exact closed postures from elimination
 
 
 class TiedGraph(WholeGraph):
@@ -46,6 +51,7 @@ class TiedGraph(WholeGraph):
         seen = SurveyRing()
         joint_twists(mechanism, seen, base)
         closing_equations(mechanism, seen)
+        link_invariants(self.mechanism, seen)
         ring = TrigonometricRing(seen)
         twists = joint_twists(mechanism, ring, base)
         missing = [x for x in self.network.labels if x not in twists]
@@ -78,19 +84,63 @@ class TiedGraph(WholeGraph):
                 found.setdefault(str(value), value)
         return tuple(found.values())
 
+    @cached_property
+    def invariants(self) -> tuple[Polynomial, ...]:
+        """Short consequences of the closing equations, in the same unknowns."""
+        ring = self.framed.ring
+        known = {u for equation in self.closing for u in unknowns(ring, equation)}
+        found = (
+            ring.without_divisors([value])[0]
+            for value in link_invariants(self.mechanism, ring)
+        )
+        return tuple(e for e in found if known.issuperset(unknowns(ring, e)))
+
     def closed_where(self, equations: Sequence[Polynomial]) -> ClosedPart:
         """Closed postures at which further equations hold."""
         root = replace(self.root, thorough=True)
         search = Search(self.library, budget=_BUDGET)
-        zeros = common_zeros(root, [*equations, *self.closing], search)
-        every = [*zeros.branches, *zeros.open]
-        points = [point for branch in every for point in branch.points]
-        return ClosedPart(tuple(points), zeros.complete and not zeros.branches)
+        wanted = [*equations, *self.closing]
+        zeros = common_zeros(root, wanted, search)
+        # On what was left open not every equation need hold.
+        points = [
+            point
+            for branch in (*zeros.branches, *zeros.open)
+            for point in branch.points
+            if not any(residue(equation, *point) for equation in wanted)
+        ]
+        return ClosedPart(tuple(points), zeros.complete, bool(zeros.branches))
+
+    def implied(
+        self, equations: Sequence[Polynomial], kept: Collection[Unknown]
+    ) -> Elimination | None:
+        """What further equations imply for some unknowns at closed postures.
+
+        Args:
+            equations: That hold beside the closing equations.
+            kept: The unknowns.
+
+        Returns:
+            None where the others could not be taken out.
+        """
+        wanted = (*equations, *self.closing)
+        found = eliminated(self.framed.ring, wanted, kept)
+        if found is None and self.invariants:
+            found = eliminated(self.framed.ring, (*self.invariants, *wanted), kept)
+        return found
 
     @cached_property
     def closed(self) -> ClosedPart:
-        """All closed postures."""
-        return self.closed_where(())
+        """All closed postures.
+
+        Where they were not all taken apart, points come from elimination too, which
+        knows no special ones.
+        """
+        found = self.closed_where(())
+        if found.is_complete:
+            return found
+        implied = self.implied((), self.unknowns_of(self.mechanism.actuated))
+        points = () if implied is None else points_of(implied, _POINTS)
+        return ClosedPart((*points, *found.points), False, True)
 
     @property
     def points(self) -> tuple[tuple[Point, int], ...]:
@@ -190,13 +240,32 @@ def _about_centres(
 
 
 class ClosedPart:
-    """Exact closed postures that were found, and whether there are none at all.
+    """Exact closed postures that were found, and whether there are others.
 
     Attributes:
         points: With their primes.
-        is_empty: Proved for real postures, special dimensions aside.
+        is_complete: Whether the closing equations were taken apart.
+        is_empty: There is none at all; proved for real postures, special dimensions
+            aside.
     """
 
-    def __init__(self, points: tuple[tuple[Point, int], ...], is_empty: bool) -> None:
+    def __init__(
+        self, points: tuple[tuple[Point, int], ...], is_complete: bool, some: bool
+    ) -> None:
         self.points = points
-        self.is_empty = is_empty
+        self.is_complete = is_complete
+        self.is_empty = is_complete and not some
+
+
+def points_of(implied: Elimination, most: int) -> tuple[tuple[Point, int], ...]:
+    """Exact postures at which equations hold, as far as they are found."""
+    source = random.Random(20121)
+    found = []
+    for _ in range(4 * most):
+        prime = random_branch_prime(source)
+        point = implied.point(source, prime)
+        if point is not None:
+            found.append((point, prime))
+        if len(found) == most:
+            break
+    return tuple(found)

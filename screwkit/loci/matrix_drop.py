@@ -188,10 +188,28 @@ def _weight(row: Mapping[int, Polynomial]) -> int:
     return sum(map(len, row.values()))
 
 
+def minors_at(
+    branch: Branch, rows: Sequence[Row], point: Point, prime: int, most: int
+) -> list[Polynomial]:
+    """Minors of the size of the rank at a point, that do not vanish there.
+
+    Args:
+        branch: In whose ring the rows are.
+        rows: Of the matrix.
+        point: Exact.
+        prime: Its modulus.
+        most: How many are asked for; short ones first.
+    """
+    columns = sorted({column for row in rows for column in row})
+    choices = _choices(rows, columns, point, prime)
+    return _minors(branch, rows, choices, most)
+
+
 def _minors(
     branch: Branch,
     rows: Sequence[Row],
     choices: Sequence[Choice],
+    most: int = _TOGETHER,
 ) -> list[Polynomial]:
     """The determinants of some choices, as many as are not too long together."""
     ring = branch.ring
@@ -204,7 +222,7 @@ def _minors(
         except TooLargeError:
             continue
         found += [m for m in minors.values() if m not in found]
-        if len(found) >= _TOGETHER or sum(map(len, found)) > _LONG:
+        if len(found) >= most or sum(map(len, found)) > _LONG:
             break
     return found
 

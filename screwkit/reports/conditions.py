@@ -209,7 +209,18 @@ def consequence(component: Component, platform: str) -> str:
         parts.append(f"{platform} {counted(component.platform_freedom, 'freedom')}")
     if component.mobility is not None:
         parts.append(f"mobility {component.mobility}")
-    return ", ".join(parts)
+    said = [", ".join(parts), _example(component)]
+    return "; ".join(filter(None, said))
+
+
+def _example(component: Component) -> str:
+    """A posture that was met there, or that none was."""
+    if component.example is None:
+        return ""
+    if not component.example:
+        return "no real posture was met there at the values of the file"
+    at = ", ".join(f"{name} = {value:.4g}" for name, value in component.example)
+    return f"for example at {at}"
 
 
 def condition(entry: Numbered, numbering: Numbering) -> Condition:

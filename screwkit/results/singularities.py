@@ -27,6 +27,9 @@ class Component:
             the actuated joints locked), generic on the component.
         platform_freedom: Dimension of the platform's twists there.
         mobility: Of the whole mechanism there.
+        example: Where loops tie joint variables, these at a posture on the component
+            that Newton's steps led to, the dimensions as in the file; empty where
+            they led to none, None where it was not looked for.
     """
 
     equations: tuple[str, ...]
@@ -38,6 +41,7 @@ class Component:
     platform_freedom: int | None = None
     mobility: int | None = None
     solved: tuple[Solution | None, ...] = ()
+    example: tuple[tuple[str, float], ...] | None = None
 
 
 @dataclass(frozen=True)

@@ -79,3 +79,18 @@ def test_two_equations_without_a_common_zero() -> None:
 def test_a_number_that_is_not_zero_has_none() -> None:
     ring, _ = ring_with("x")
     assert never_met(ring, [ring.rational(Fraction(3))])
+
+
+@pytest.mark.parametrize(
+    ("text", "empty"),
+    [
+        ("sqrt(14)*sin(p) - 2*cos(p) + 9", True),  # 14 + 4 < 81
+        ("sqrt(14)*sin(p) - 2*cos(p) + 4", False),  # 14 + 4 > 16
+        ("sqrt(2)*x^2 + sqrt(3)", True),
+        ("sqrt(2)*x^2 - sqrt(3)", False),
+    ],
+)
+def test_square_roots_are_multiplied_away(text: str, empty: bool) -> None:
+    """Real zeros of A s + B c + C need A² + B² ≥ C²."""
+    ring, equations = ring_with(text)
+    assert never_met(ring, equations) is empty

@@ -16,10 +16,13 @@ import pytest
 from loci.numeric import Array, value
 from loci.searching import solved
 
+from screwkit.algebra.points import residue
 from screwkit.case import load_text
 from screwkit.errors import UndecidedError
+from screwkit.kinematics.tied_graph import TiedGraph
 from screwkit.questions import schemes, singularities
-from screwkit.results.singularities import Singularities
+from screwkit.reports.conditions import consequence
+from screwkit.results.singularities import Component, Singularities
 
 FOUR_BAR = """
 screwkit: 1
@@ -264,9 +267,7 @@ def test_a_square_says_where_it_is_folded_in_one_equation() -> None:
     assert np.allclose(zeros, [0])
 
 
-def test_overconstrained_loops_are_refused() -> None:
-    """Bennett: rank 3 on its own motion, 4 at other closed postures."""
-    text = """
+BENNETT = """
 screwkit: 1
 name: bennett
 geometry: mdh
@@ -281,10 +282,206 @@ joints:
   - {name: E, type: fixed, parent: ground, child: tip, mdh: {d: -2, alpha: -pi/2}}
 actuated: [A]
 """
-    case = load_text(text)
-    assert case.network.tied
-    with pytest.raises(UndecidedError, match="tie"):
-        singularities(case)
+
+BENNETT_REFERENCE = """
+screwkit: 1
+name: bennett
+geometry: reference
+base: L0
+platform: L2
+links: [L0, L1, L2, L3]
+points: {A: [3, 0, 1], B: [1, 2, -1], C: [-3, 0, 1], D: [-1, -2, -1]}
+joints:
+  - {name: A, type: revolute, parent: L0, child: L1, point: A,
+     axis: "cross(D - A, B - A)"}
+  - {name: B, type: revolute, parent: L1, child: L2, point: B,
+     axis: "cross(A - B, C - B)"}
+  - {name: C, type: revolute, parent: L2, child: L3, point: C,
+     axis: "cross(B - C, D - C)"}
+  - {name: D, type: revolute, parent: L3, child: L0, point: D,
+     axis: "cross(C - D, A - D)"}
+actuated: [A]
+"""
+
+
+@pytest.mark.parametrize("text", [BENNETT, BENNETT_REFERENCE])
+def test_a_bennett_linkage_is_never_singular(text: str) -> None:
+    """Its hinges are generators of one regulus, any three of them independent."""
+    found = answer(text)
+    assert found.constraint.generic_rank == 3
+    assert found.constraint.complete
+    assert not found.constraint.components
+    assert found.actuation is not None
+    assert found.actuation.admissible
+    assert found.actuation.complete
+    assert not found.actuation.components
+    assert not found.actuation.idle
+    assert sum(limb.generic_rank for limb in found.limb) == 4  # one joint each
+    for limb in found.limb:
+        assert limb.complete
+        assert not limb.components
+
+
+def bennett_lines(qa: float) -> Array:
+    """(ω; v) of the hinges of `BENNETT`: tan(A/2) tan(B/2) = 3 there, C = A, D = B.
+
+    Bennett's relation, sin ½(β + α) / sin ½(β − α) = sin 60° / sin 30° = √3, up to the
+    sense of the axes; which product closes is found by trying.
+    """
+    table = [(0.0, 0.0), (1.0, pi / 6), (2.0, pi / 2), (1.0, pi / 6)]
+
+    def frames(angles: tuple[float, ...]) -> list[Array]:
+        place = np.eye(4)
+        found = []
+        for (d, alpha), q in zip(table, angles, strict=True):
+            c, s, ca, sa = cos(q), np.sin(q), cos(alpha), np.sin(alpha)
+            tilt = np.array(
+                [[1, 0, 0, d], [0, ca, -sa, 0], [0, sa, ca, 0], [0, 0, 0, 1]]
+            )
+            turn = np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+            place = place @ tilt @ turn
+            found.append(place)
+        back = np.array([[1, 0, 0, 2], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1.0]])
+        return [*found, place @ back]
+
+    half = np.tan(qa / 2)
+    for ratio in (sqrt(3), 1 / sqrt(3), -sqrt(3), -1 / sqrt(3)):
+        for one, other in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
+            for qb in (2 * np.arctan(ratio * half), 2 * np.arctan2(ratio, half)):
+                places = frames((qa, float(qb), one * qa, other * float(qb)))
+                if np.allclose(places[-1], np.eye(4)):
+                    axes = [p[:3, 2] for p in places[:-1]]
+                    points = [p[:3, 3] for p in places[:-1]]
+                    return np.array(
+                        [
+                            [*a, *np.cross(p, a)]
+                            for a, p in zip(axes, points, strict=True)
+                        ]
+                    )
+    raise AssertionError("no closed posture")
+
+
+def test_any_three_hinges_of_bennett_are_independent_in_floats() -> None:
+    """All four of rank 3 and any three too, whole turn, nowhere near less."""
+    for qa in np.linspace(-3.1, 3.1, 41):
+        lines = bennett_lines(float(qa))
+        sizes = np.linalg.svd(lines, compute_uv=False)
+        assert sizes[3] < 1e-9
+        assert sizes[2] > 0.05
+        for left_out in range(4):
+            three = np.delete(lines, left_out, axis=0)
+            assert np.linalg.svd(three, compute_uv=False)[2] > 0.02
+
+
+SPHERICAL = """
+screwkit: 1
+name: spherical
+geometry: reference
+base: L0
+platform: L2
+links: [L0, L1, L2, L3]
+joints:
+  - {name: A, type: revolute, parent: L0, child: L1, point: [0, 0, 0], axis: [0, 0, 1]}
+  - {name: B, type: revolute, parent: L1, child: L2, point: [0, 0, 0], axis: [1, 0, 2]}
+  - {name: C, type: revolute, parent: L2, child: L3, point: [0, 0, 0], axis: [2, 2, 1]}
+  - {name: D, type: revolute, parent: L3, child: L0, point: [0, 0, 0], axis: [0, 1, 1]}
+actuated: [A]
+"""
+ARCS = [
+    acos(2 / sqrt(5)),
+    acos(4 / (3 * sqrt(5))),
+    acos(1 / sqrt(2)),
+    acos(1 / sqrt(2)),
+]
+
+
+def test_a_spherical_crank_that_turns_fully_meets_no_dead_point() -> None:
+    """Grashof on the sphere: shortest and longest arc are less than the other two."""
+    crank, longest, *others = ARCS
+    assert crank == min(ARCS)
+    assert longest == max(ARCS)
+    assert crank + longest < sum(others)
+    found = answer(SPHERICAL)
+    assert found.actuation is not None
+    assert found.actuation.complete
+    assert not found.actuation.components
+    assert found.constraint.complete
+    assert not found.constraint.components  # no arcs add up, so that none is flat
+
+
+def test_a_spherical_rocker_is_dead_where_crank_and_coupler_are_in_line() -> None:
+    """The arc from A to C is then the sum or the difference of the two."""
+    found = answer(SPHERICAL.replace("actuated: [A]", "actuated: [D]"))
+    assert found.actuation is not None
+    assert found.actuation.complete
+    (component,) = found.actuation.components
+    assert component.example
+    at = dict(component.example)
+    assert abs(value(component.equations[0], at)) < 1e-8
+    axes = [np.array(x) for x in ([0, 0, 1.0], [1, 0, 2.0], [2, 2, 1.0], [0, 1, 1.0])]
+    a, b, c, d = (axis / np.linalg.norm(axis) for axis in axes)
+    # C where the rocker has it (D turns the base against it), as far from A as the two
+    # arcs say.
+    end = turned(c, d, -at["qD"])
+    apart = acos(float(a @ end))
+    sums = (ARCS[0] + ARCS[1], ARCS[1] - ARCS[0])
+    assert min(abs(apart - one) for one in sums) < 1e-6
+    # B where the crank A has it, on the circle through both.
+    middle = turned(b, a, at["qA"])
+    assert abs(np.linalg.det(np.array([a, middle, end]))) < 1e-6
+
+
+def turned(vector: Array, axis: Array, angle: float) -> Array:
+    """By Rodrigues' formula."""
+    along = axis * float(axis @ vector) * (1 - cos(angle))
+    return np.asarray(
+        vector * cos(angle) + np.cross(axis, vector) * np.sin(angle) + along
+    )
+
+
+def test_an_example_is_a_closed_dead_posture() -> None:
+    (component,) = _components(FOUR_BAR)
+    assert component.example
+    p = pivots({**LENGTHS, **dict(component.example)})
+    assert isclose(abs(p["3"] - p["2"]), LENGTHS["l2"], abs_tol=1e-8)
+    assert abs(area(p["2"], p["3"], p["4"])) < 1e-6
+
+
+def test_a_component_that_the_values_do_not_meet_says_so() -> None:
+    """Arms that are too short for each other: the parts are in line nowhere."""
+    crank = FOUR_BAR.replace("l1: {value: 4", "l1: {value: 1")
+    crank = crank.replace("l2: {value: 3", "l2: {value: 4")
+    (component,) = _components(crank)
+    assert component.example == ()
+    assert "no real posture was met" in consequence(component, "coupler")
+
+
+def _components(text: str) -> tuple[Component, ...]:
+    found = answer(text).actuation
+    assert found is not None
+    return found.components
+
+
+def test_postures_that_do_not_close_are_not_taken_for_closed() -> None:
+    """Points of what was left open need not satisfy the closing equations."""
+    for text in (BENNETT, BENNETT_REFERENCE, SPHERICAL):
+        graph = TiedGraph(load_text(text).mechanism)
+        assert graph.closed.points
+        for point, prime in graph.closed.points:
+            assert not any(residue(e, point, prime) for e in graph.closing)
+            assert graph.motion_at(point, prime).rank == 3
+
+
+def test_invariants_of_links_hold_where_loops_close() -> None:
+    """They follow from closure: at exact closed postures they vanish, elsewhere not."""
+    checked = 0
+    for text in (BENNETT_REFERENCE, SPHERICAL, CRANK_ROCKER):
+        graph = TiedGraph(load_text(text).mechanism)
+        assert graph.invariants
+        for equation in graph.invariants:
+            assert all(not residue(equation, *point) for point in graph.closed.points)
+            checked += any(residue(equation, *point) for point in graph.root.points)
+    assert checked
 
 
 RSSR = """
@@ -404,6 +601,13 @@ def test_two_loops_say_what_is_known_of_them() -> None:
     first, second = found.limb
     assert (first.generic_rank, first.complete) == (2, False)
     assert (second.generic_rank, second.complete) == (2, True)
+
+
+def test_strata_of_tied_loops_are_refused_with_the_reason() -> None:
+    with pytest.raises(
+        UndecidedError, match=r"tie .* not looked for; without --strata"
+    ):
+        singularities(load_text(CRANK_ROCKER), strata=2)
 
 
 def test_numbers_of_the_helpers() -> None:
