@@ -159,11 +159,13 @@ def singularities(
         tied = tied_graph(case.network)
         return tied_singularities(tied, progress=progress, finished=finished)
     _need_exact_posture(case)
-    if strata and case.network.tied:
+    if case.network.tied and (strata or certificate):
+        asked, left = ("--strata", "where several hold together is not looked for")
+        if not strata:
+            asked, left = ("--certificate", "no certificate of them can be written yet")
         raise UndecidedError(
-            f"{case.network.tied}; conditions there hold at closed postures, and where "
-            f"several hold together is not looked for; without --strata this question "
-            f"is answered"
+            f"{case.network.tied}; conditions there hold at closed postures, and "
+            f"{left}; without {asked} this question is answered"
         )
     if case.graph is not None:
         from screwkit.analyses.graph_singularities import (  # noqa: PLC0415

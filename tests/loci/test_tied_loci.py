@@ -606,10 +606,12 @@ def test_two_loops_say_what_is_known_of_them() -> None:
 def test_strata_of_tied_loops_are_refused_with_the_reason() -> None:
     with pytest.raises(UndecidedError, match=r"tie .* not looked for"):
         singularities(load_text(CRANK_ROCKER), strata=2)
+    with pytest.raises(UndecidedError, match="no certificate of them"):
+        singularities(load_text(CRANK_ROCKER), certificate=True)
 
 
-def test_numbers_of_the_helpers() -> None:
-    """A closed posture of the helper closes: the pivots are as far apart as told."""
+def test_numbers_of_closed_postures() -> None:
+    """A closed posture closes: the pivots are as far apart as told."""
     at = four_bar(0.8, 1)
     assert at is not None
     p = pivots(at)
