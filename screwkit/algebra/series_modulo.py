@@ -73,3 +73,13 @@ def double_root(values: Sequence[int], prime: int) -> int | None:
     if shared.degree() != 1:
         return None
     return int(-int(shared[0]) * pow(int(shared[1]), -1, prime) % prime)
+
+
+def common_roots(polynomials: Sequence[Sequence[int]], prime: int) -> tuple[int, ...]:
+    """What all polynomials have as a root, coefficients from the constant upwards."""
+    shared = nmod_poly([0], prime)
+    for coefficients in polynomials:
+        shared = shared.gcd(nmod_poly(list(coefficients), prime))
+    if shared.degree() < 1:
+        return ()
+    return tuple(sorted(int(root) for root, _ in shared.roots()))

@@ -58,11 +58,14 @@ def full_cycle(
     branches = _branches(network, sample)
     if {branch.mobility for branch in branches} - set(proof.mobility):
         branches = ()  # a sample that went elsewhere proves nothing
-    if exact is not None:
-        branches = _those_like(exact, branches)
     notes = [_proved(network, at, proof)]
     if not branches and proof.mobility != (at.mobility,):
-        notes.append(f"how the platform moves meanwhile is open: {sample.reason}")
+        where = "meanwhile" if exact is None else "on other branches"
+        seen = exact is None or not proof.whole
+        open_ = f"how the platform moves {where} is open: {sample.reason}"
+        notes += [open_] if seen else []
+    if exact is not None:
+        branches = _those_like(exact, branches, whole=proof.whole)
     return FullCycle("proved", proof.mobility, "; ".join(notes), branches), sample
 
 
@@ -73,7 +76,7 @@ def _proved(network: Network, at: Motion, proof: Proof) -> str:
 
 
 def _exact_branch(network: Network, at: Motion, proof: Proof) -> MotionBranch | None:
-    """The one branch of a proof that says how the platform moves; None if it does not.
+    """The branch of a proof that says how the platform moves; None if it does not.
 
     Words stay empty where residues do not tell them.
     """
@@ -99,20 +102,25 @@ def _exact_branch(network: Network, at: Motion, proof: Proof) -> MotionBranch | 
 def _wants_samples(network: Network, proof: Proof) -> bool:
     """Whether more is asked for: postures, points on straight lines, a pitch."""
     found = proof.motion
-    if network.tied or found is None or found.words is None:
+    if network.tied or not proof.whole or found is None or found.words is None:
         return True
     return proof.mobility == (1,) and found.words in TURNING
 
 
 def _those_like(
-    exact: MotionBranch, sampled: tuple[MotionBranch, ...]
+    exact: MotionBranch, sampled: tuple[MotionBranch, ...], *, whole: bool
 ) -> tuple[MotionBranch, ...]:
-    """Of the samples those on the one branch there is, without what they err in."""
+    """Of the samples those on the one branch there is, without what they err in.
+
+    Where there may be others, all of them, and the known branch if none fell on it.
+    """
     keys = [
         (branch.loop_rank, branch.motion_type, branch.finite_type)
         for branch in (exact, *sampled)
     ]
     alike = [b for b, key in zip(sampled, keys[1:], strict=True) if key == keys[0]]
+    if not whole:
+        return sampled if alike else (exact, *sampled)
     most = max(alike, key=lambda branch: branch.starts, default=exact)
     return (most,)
 

@@ -12,7 +12,7 @@ References: [Herve1999].
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from screwkit.algebra.modular import annihilator, echelon
@@ -36,11 +36,13 @@ def adapted(graph: ChainGraph, rates: Rates) -> tuple[ChainGraph, Rates] | None:
     """
     prime = graph.prime
     edges, found = list(graph.edges), [dict(own) for own in rates]
-    for joint in _groups(graph):
+    joints = tuple(_groups(graph))
+    own_axes = {number for joint in joints for number in joint}
+    for joint in joints:
         screws = [graph.edges[number].screw for number in joint]
         parameters = [graph.edges[number].parameter for number in joint]
         moving = [[own.get(p, 0) for p in parameters] for own in rates]
-        basis = _basis(graph, joint, moving)
+        basis = _basis(graph, joint, moving, own_axes)
         for number, row in zip(joint, basis, strict=True):
             screw = tuple(
                 sum(x * s[i] for x, s in zip(row, screws, strict=True)) % prime
@@ -56,7 +58,10 @@ def adapted(graph: ChainGraph, rates: Rates) -> tuple[ChainGraph, Rates] | None:
 
 
 def _basis(
-    graph: ChainGraph, joint: Sequence[int], moving: Sequence[Row]
+    graph: ChainGraph,
+    joint: Sequence[int],
+    moving: Sequence[Row],
+    others: Collection[int],
 ) -> list[list[int]]:
     """A basis of the joint's group that holds one of the twists it moves by."""
     prime, size = graph.prime, len(joint)
@@ -67,8 +72,8 @@ def _basis(
     twists = Span(prime, rows)
     first, last = list[list[int]](), list[list[int]]()
     chosen = Span(prime)
-    for side, axes in ((first, _axes(graph, joint, 0)), (last, _axes(graph, joint, 1))):
-        for axis in axes:
+    for end, side in enumerate((first, last)):
+        for axis in _axes(graph, joint, end, others):
             own = _in_ball(axis, [screws[k] for k in order], prime)
             inside = own and Span(prime, [*rows, own])
             if inside and len(inside) == len(twists) and chosen.add(own):
@@ -89,10 +94,12 @@ def _basis(
     return [[row[k] for k in back] for row in (*first, *between, *reversed(last))]
 
 
-def _axes(graph: ChainGraph, joint: Sequence[int], end: int) -> list[Row]:
-    """Directions of the other joints' axes at the body before or behind a joint."""
+def _axes(
+    graph: ChainGraph, joint: Sequence[int], end: int, others: Collection[int]
+) -> list[Row]:
+    """Directions of axes at the body before or behind a joint, balls' left out."""
     body = graph.edges[joint[-1]].head if end else graph.edges[joint[0]].tail
-    beside = [number for number, _, _ in graph.neighbours[body] if number not in joint]
+    beside = [number for number, _, _ in graph.neighbours[body] if number not in others]
     axes = (graph.edges[number].screw[:3] for number in beside)
     return [axis for axis in axes if any(axis)]
 

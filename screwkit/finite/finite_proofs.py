@@ -38,13 +38,15 @@ class Proof:
         mobility: Of the branches through the posture, ascending; one where the closed
             postures around it are a manifold.
         reason: The argument as a sentence without capital and full stop.
-        motion: How the platform moves, where all closed postures around form one family
-            in which it is exact.
+        motion: How the platform moves along a family of that mobility, where that is
+            exact.
+        whole: Whether that family is all there is around the posture.
     """
 
     mobility: tuple[int, ...]
     reason: str
     motion: FamilyMotion | None = None
+    whole: bool = True
 
 
 @dataclass(frozen=True)
@@ -114,7 +116,9 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
         apart.append(f"the idle freedom of bodies between two joints ({len(idle)})")
     if apart:
         told = f"apart from {_listed(apart)}, {told}"
-    return Proof((dimension,), told, _motion(at, graph, blocks, proofs, idle))
+    alone = all(proof.whole or not proof.mobility for proof in proofs)
+    moved = _motion(at, graph, blocks, proofs, idle)
+    return Proof((dimension,), told, moved, alone)
 
 
 def _motion(
@@ -124,7 +128,7 @@ def _motion(
     proofs: Sequence[Proved],
     idle: tuple[str, ...],
 ) -> FamilyMotion | None:
-    """The platform's motion, where the families of all blocks are known and whole."""
+    """The platform's motion, where families of all blocks are known."""
     network = at.network
     base, platform = network.mechanism.base, network.mechanism.platform
     ends = {base, platform}
@@ -136,7 +140,7 @@ def _motion(
     for block, proof in zip(blocks, proofs, strict=True):
         if not proof.mobility:
             families.append(subfamily(block, (), frozenset(range(block.width))))
-        elif proof.whole and proof.closing and proof.closing.identical:
+        elif proof.closing and proof.closing.identical:
             families.append(proof.closing.graph)
         else:
             return None

@@ -23,6 +23,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from screwkit.algebra.modular import annihilator
+from screwkit.algebra.series_modulo import common_roots
 from screwkit.finite.chain_graph import ChainGraph
 from screwkit.finite.closing_groups import (
     Closing,
@@ -89,6 +90,25 @@ def only_family(
             f"every branch through this posture has dimension {bound}"
         )
         return OnlyFamily(first, told, whole=False)
+    return None
+
+
+def family_on_the_cone(block: ChainGraph, forms: Sequence[Form]) -> Closing | None:
+    """A family of dimension 1 along one of the zeros of forms in two variables."""
+    if block.mobility != 2:
+        return None
+    prime = block.prime
+    one, other = block.rates
+    zeros = [(0, 1)] if all(form[1][1] == 0 for form in forms) else []
+    slopes = [(form[0][0], 2 * form[0][1], form[1][1]) for form in forms]
+    zeros += [(1, root) for root in common_roots(slopes, prime)]
+    for x, y in zeros:
+        rates = {
+            p: (x * one.get(p, 0) + y * other.get(p, 0)) % prime for p in {*one, *other}
+        }
+        moving = {p: rate for p, rate in rates.items() if rate}
+        for family in smooth_subfamilies(block, [moving]):
+            return family
     return None
 
 

@@ -20,7 +20,7 @@ from screwkit.finite.higher_order import (
     continuation,
     second_order_forms,
 )
-from screwkit.finite.only_family import only_family
+from screwkit.finite.only_family import family_on_the_cone, only_family
 from screwkit.finite.real_forms import (
     Matrix,
     definite_combination,
@@ -110,13 +110,13 @@ def proved_by_order(
     bound = cone_dimension(forms, block.mobility, block.prime)
     if not bound:
         return Proved(0, _SHAKY)
+    single = (
+        f"second order leaves no more than single motions of the {block.mobility}-"
+        f"dimensional joint rates, and one of them is finite"
+    )
+    ends = "the postures form a smooth family of dimension 1"
     if bound == 1 and _moves_with_joints_held(block):
-        return Proved(
-            1,
-            f"second order leaves no more than single motions of the "
-            f"{block.mobility}-dimensional joint rates, and one of them is finite: "
-            f"with some joints held the postures form a smooth family of dimension 1",
-        )
+        return Proved(1, f"{single}: with some joints held {ends}")
     only = only_family(block, forms, bound) if bound < block.mobility else None
     if only is not None:
         return Proved(bound, only.reason, only.closing, only.whole)
@@ -124,7 +124,12 @@ def proved_by_order(
         return _of_double_family(blocks, postures, followed.fails_at)
     twins = second_order_forms(blocks[1])
     real = real_forms(postures, (forms, twins)) if forms else None
-    return None if real is None else _of_real_forms(block, real)
+    of_signs = None if real is None else _of_real_forms(block, real)
+    if of_signs is not None or bound != 1:
+        return of_signs
+    tied = family_on_the_cone(block, forms)
+    told = f"{single}: with joints tied or held {ends}"
+    return None if tied is None else Proved(1, told, tied)
 
 
 def _moves_with_joints_held(block: ChainGraph) -> bool:

@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from screwkit.algebra.series_modulo import SeriesRing, double_root, first_order
+from screwkit.algebra.series_modulo import (
+    SeriesRing,
+    common_roots,
+    double_root,
+    first_order,
+)
 
 PRIME = 2**61 - 1
 RING = SeriesRing(PRIME, 8)
@@ -44,3 +49,10 @@ def test_the_one_double_root_is_found_from_values() -> None:
     twice = [(x - 5) ** 2 * (x - 2) ** 2 for x in range(5)]
     assert double_root(twice, PRIME) is None
     assert double_root([x * x + x + 3 for x in range(3)], PRIME) is None
+
+
+def test_common_roots() -> None:
+    """(x − 2)(x − 3) and (x − 2)(x + 1)."""
+    assert common_roots([(6, -5, 1), (-2, -1, 1)], PRIME) == (2,)
+    assert common_roots([(6, -5, 1), (1, 2, 1)], PRIME) == ()
+    assert common_roots([(0, 0, 0)], PRIME) == ()

@@ -73,3 +73,7 @@ def test_four_equal_legs_on_a_circle_leave_two_dimensions_to_every_branch() -> N
     assert proof is not None
     assert proof.mobility == (4 + 2,)
     assert "vanishes twice on a smooth family of dimension 2" in proof.reason
+    assert not proof.whole
+    answer = mobility(plate)
+    assert "2T0R" in answer.platform.finite_motion_types
+    assert "on other branches is open" in answer.full_cycle.reason

@@ -183,3 +183,26 @@ def test_balls_turn_about_the_axes_of_the_hinges_beside_them(frame: Frame) -> No
     found = mobility(robot)
     assert (found.full_cycle.status, found.full_cycle.mobility) == ("proved", (3,))
     assert found.platform.finite_motion_types == ("2T1R",)
+
+
+@pytest.mark.parametrize("frame", FRAMES)
+def test_three_equal_bars_in_a_line_leave_it_in_one_way(frame: Frame) -> None:
+    """As parallelograms; any two could cross, yet not all three at once.
+
+    To first order both ends of the plate move at will across the line.  Crossed, the
+    plate turns by twice the sum of two small angles about a place that the distance of
+    the bars decides, and the distances 2, 3 and 5 disagree.
+    """
+    axis = frame.direction((0, 0, 1))
+    joints = []
+    for k, x in enumerate((0, 2, 5)):
+        joints += [
+            hinge(f"f{k}", "ground", f"bar{k}", frame.point((x, 0, 0)), axis),
+            hinge(f"h{k}", f"bar{k}", "plate", frame.point((x + 1, 0, 0)), axis),
+        ]
+    bars = network(*joints, platform="plate")
+    assert bars.motion.mobility == 2
+    proof = proved_mobility(bars, bars.motion)
+    assert proof is not None
+    assert proof.mobility == (1,)
+    assert "tied or held" in proof.reason
