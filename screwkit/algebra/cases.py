@@ -8,12 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import combinations
+from weakref import WeakKeyDictionary
 
+from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch, is_solvable
 from screwkit.algebra.factors import Factor, FactorLibrary, factor
 from screwkit.algebra.implied import LONGEST, eliminants, resolvents
 from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.trigonometric import Polynomial
+
+SHORT = 200
+"""Terms of a polynomial whose possible factors are kept; they depend on no branch."""
+
+_POSSIBLE: WeakKeyDictionary[
+    FactorLibrary, dict[tuple[Assumptions, str], tuple[Factor, ...]]
+] = WeakKeyDictionary()
 
 _TRIED = 10  # polynomials that are factored to choose the next case split
 
@@ -118,6 +127,18 @@ def possible_factors(
 
     A square root vanishes where its radicand does, whose factors stand for it.
     """
+    if branch.ring.radicands or len(polynomial) > SHORT:
+        return _possible_factors(branch, polynomial, library)
+    known = _POSSIBLE.setdefault(library, {})
+    key = branch.assumptions, str(polynomial)
+    if key not in known:
+        known[key] = tuple(_possible_factors(branch, polynomial, library))
+    return [*known[key]]
+
+
+def _possible_factors(
+    branch: Branch, polynomial: Polynomial, library: FactorLibrary
+) -> list[Factor]:
     factored = factor(branch.ring, polynomial, library)
     found: dict[str, Factor] = {}
     for part, _ in factored.factors:

@@ -139,10 +139,12 @@ def _of_squares(
 
     None where there is no such one, or nothing new.
     """
-    known = {str(p) for p in polynomials}
     for polynomial in polynomials:
         terms = vanishing_together(branch.ring, branch.assumptions, polynomial)
-        if terms is not None and not known.issuperset(map(str, terms)):
+        if terms is None:
+            continue
+        known = {str(p) for p in polynomials}
+        if not known.issuperset(map(str, terms)):
             return [*terms, *polynomials]
     return None
 

@@ -69,20 +69,23 @@ def test_six_struts_with_numbers_against_domain_matrix(tmp_path: Path) -> None:
     mechanism = six_ups(tmp_path, numeric_points(), quaternion=True)
     assembly, expand = expansion(mechanism)
     ring = assembly.common_twists.ring
-    ours = best(expand, 9, time.process_time)
+    first = best(expand, 1, time.process_time)
     (minor,) = expand()
+    printing = best(lambda: text(ring, minor), 1, time.process_time)
+    ours = best(expand, 9)
     columns = [[as_terms(x) for x in line] for line in lines_of(assembly)]
     rows = [[column[row] for column in columns] for row in range(6)]
     theirs, finished = domain_matrix_seconds(
         ring.names, [rows], factor=False, timeout=200
     )
-    printing = best(lambda: text(ring, minor), 3, time.process_time)
     say(
         f"6-UPS, numbers: {len(minor)} terms in {1e3 * ours:.0f} ms; DomainMatrix "
         f"{'' if finished else '> '}{theirs:.2f} s: {theirs / ours:.0f} times; "
-        f"printing takes {1e3 * printing:.0f} ms, {printing / ours:.1f} times as long"
+        f"the first time it takes {1e3 * first:.0f} ms, printing it "
+        f"{1e3 * printing:.0f} ms"
     )
     assert theirs / ours >= 70
+    assert first <= 3 * printing
 
 
 def test_six_struts_with_symbols_for_all_points(tmp_path: Path) -> None:
