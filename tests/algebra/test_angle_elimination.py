@@ -86,7 +86,7 @@ def test_a_number_that_is_not_zero_has_none() -> None:
     [
         ("sqrt(14)*sin(p) - 2*cos(p) + 9", True),  # 14 + 4 < 81
         ("sqrt(14)*sin(p) - 2*cos(p) + 4", False),  # 14 + 4 > 16
-        ("sqrt(2)*x^2 + sqrt(3)", True),
+        ("x^2 + sqrt(2)*x + 1", True),  # 2 < 4
         ("sqrt(2)*x^2 - sqrt(3)", False),
     ],
 )

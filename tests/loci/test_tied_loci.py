@@ -604,7 +604,7 @@ def test_two_loops_say_what_is_known_of_them() -> None:
 
 
 def test_strata_of_tied_loops_are_refused_with_the_reason() -> None:
-    with pytest.raises(UndecidedError, match="tie .* not looked for; without --strata"):
+    with pytest.raises(UndecidedError, match=r"tie .* not looked for"):
         singularities(load_text(CRANK_ROCKER), strata=2)
 
 
