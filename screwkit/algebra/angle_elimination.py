@@ -204,9 +204,9 @@ def _steps(
             if taken is not None:
                 yield taken
     for _, unknown, place in sorted(alone):
-        rest = without_angle(ring, pool, unknown[1], place)
-        if rest is not None:
-            yield Determined(unknown, pool[place]), rest
+        left = without_angle(ring, pool, unknown[1], place)
+        if left is not None:
+            yield Determined(unknown, pool[place]), left
 
 
 def _is_even(
