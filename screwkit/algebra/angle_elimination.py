@@ -2,7 +2,8 @@
 
 Two equations that are linear in the sine and cosine of an angle give both of them as
 quotients over one divisor; that they lie on the circle is an equation without the
-angle.  Two that are linear in a length give its quotient twice.  What is left holds
+angle.  One such equation gives two values, and any other equation its product over
+both.  Two that are linear in a length give its quotient twice.  What is left holds
 wherever the equations do, and an exact point of it leads back to one of theirs.
 
 References: [CoxLittleOShea] §3.1 (elimination).
@@ -16,6 +17,7 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import TypeAlias
 
+from screwkit.algebra.angle_norms import without_angle
 from screwkit.algebra.points import (
     Point,
     random_point,
@@ -131,6 +133,8 @@ def eliminated(
     """
     pool = [p for p in equations if p != 0]
     found = _searched(ring, pool, frozenset(kept), [TRIED])
+    if found is None:  # products over two values are longer
+        found = _searched(ring, pool, frozenset(kept), [TRIED], norms=True)
     if found is None:
         return None
     left, steps = found
@@ -145,26 +149,36 @@ def _searched(
     pool: list[Polynomial],
     kept: frozenset[Unknown],
     tries: list[int],
+    *,
+    norms: bool = False,
 ) -> tuple[list[Polynomial], list[_Step]] | None:
     """What is left without the unknowns that are not kept, and how they follow."""
     open_ones = {u for p in pool for u in unknowns(ring, p) if u not in kept}
     if not open_ones:
         return pool, []
-    for step, rest in _steps(ring, pool, sorted(open_ones)):
+    for step, rest in _steps(ring, pool, sorted(open_ones), norms=norms):
         if tries[0] <= 0:
             return None
         tries[0] -= 1
-        found = _searched(ring, rest, kept, tries)
+        found = _searched(ring, rest, kept, tries, norms=norms)
         if found is not None:
             return found[0], [step, *found[1]]
     return None
 
 
 def _steps(
-    ring: TrigonometricRing, pool: Sequence[Polynomial], open_ones: Sequence[Unknown]
+    ring: TrigonometricRing,
+    pool: Sequence[Polynomial],
+    open_ones: Sequence[Unknown],
+    *,
+    norms: bool,
 ) -> Iterator[tuple[_Step, list[Polynomial]]]:
-    """One unknown less: the step, and the equations without it; short ones first."""
+    """One unknown less: the step, and the equations without it; short ones first.
+
+    With ``norms`` one linear equation is enough, where two were not.
+    """
     pairs: list[tuple[bool, int, Unknown, tuple[int, int]]] = []
+    alone: list[tuple[int, Unknown, int]] = []
     for unknown in open_ones:
         places = [i for i, p in enumerate(pool) if unknown in unknowns(ring, p)]
         if len(places) == 1:
@@ -175,6 +189,8 @@ def _steps(
             continue
         parts = {i: _parts(ring, pool[i], unknown) for i in places}
         linear = [i for i in places if parts[i] is not None]
+        if norms and unknown[0] == "angle":
+            alone += [(len(pool[i]), unknown, i) for i in linear]
         if len(linear) < len(places):
             continue
         for i, k in combinations(linear, 2):
@@ -187,6 +203,10 @@ def _steps(
             taken = _without(ring, pool, unknown, pair)
             if taken is not None:
                 yield taken
+    for _, unknown, place in sorted(alone):
+        left = without_angle(ring, pool, unknown[1], place)
+        if left is not None:
+            yield Determined(unknown, pool[place]), left
 
 
 def _is_even(

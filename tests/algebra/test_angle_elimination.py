@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 from fractions import Fraction
 
+import numpy as np
 import pytest
+from loci.numeric import Array, value
 
 from screwkit.algebra.angle_elimination import eliminated
+from screwkit.algebra.angle_norms import without_angle
 from screwkit.algebra.branches import random_branch_prime
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.no_real_angle import never_met
 from screwkit.algebra.parse import parse
 from screwkit.algebra.points import residue
+from screwkit.algebra.points_on import unknowns
+from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
@@ -86,7 +92,7 @@ def test_a_number_that_is_not_zero_has_none() -> None:
     [
         ("sqrt(14)*sin(p) - 2*cos(p) + 9", True),  # 14 + 4 < 81
         ("sqrt(14)*sin(p) - 2*cos(p) + 4", False),  # 14 + 4 > 16
-        ("sqrt(2)*x^2 + sqrt(3)", True),
+        ("x^2 + sqrt(2)*x + 1", True),  # 2 < 4
         ("sqrt(2)*x^2 - sqrt(3)", False),
     ],
 )
@@ -94,3 +100,54 @@ def test_square_roots_are_multiplied_away(text: str, empty: bool) -> None:
     """Real zeros of A s + B c + C need A² + B² ≥ C²."""
     ring, equations = ring_with(text)
     assert never_met(ring, equations) is empty
+
+
+def test_an_angle_is_taken_out_of_a_square_by_one_linear_equation() -> None:
+    """Its solutions at numbers make what is left vanish; other numbers do not."""
+    texts = (
+        "(2 + cos(p))*sin(q) + sin(p)*cos(q) - 1",
+        "cos(q)^2 + 3*sin(q)*cos(q)*cos(p) - 2*sin(q) + sin(p)",
+    )
+    ring, (linear, square) = ring_with(*texts)
+    names = [form[0][0] for form in ring.basis]
+    p, q = names.index("p"), names.index("q")
+    rest = without_angle(ring, [linear, square], q, 0)
+    assert rest is not None
+    (left,) = rest
+    assert ("angle", q) not in unknowns(ring, left)
+    found = eliminated(ring, [linear, square], [("angle", p)])
+    assert found is not None
+    assert [str(one) for one in found.left] == [str(left)]
+    source = random.Random(3)
+    points = []
+    for _ in range(40):
+        prime = random_branch_prime(source)
+        point = found.point(source, prime)
+        if point is not None:
+            points.append((point, prime))
+            assert not residue(linear, *points[-1])
+            assert not residue(square, *points[-1])
+    assert points
+    text = equation_text(ring, left)
+    roots = []
+    for start in range(60):
+        solution = newton(texts, (0.1 * start - 3, 0.23 * start - 7))
+        if solution is not None:
+            roots.append(solution)
+            at = {"p": solution[0], "q": 0.0}
+            assert abs(value(text, at)) < 1e-6 * abs(value(text, {**at, "p": 0.9}))
+    assert len(roots) > 5
+
+
+def newton(texts: Sequence[str], at: tuple[float, float]) -> Array | None:
+    """A common zero of two texts in p and q, by steps with differences."""
+    x = np.array(at)
+
+    def there(x: Array) -> Array:
+        return np.array([value(text, {"p": x[0], "q": x[1]}) for text in texts])
+
+    for _ in range(40):
+        here = there(x)
+        slopes = [(there(x + 1e-7 * row) - here) / 1e-7 for row in np.eye(2)]
+        x = x - np.linalg.lstsq(np.array(slopes).T, here, rcond=None)[0]
+    return x if np.max(np.abs(there(x))) < 1e-11 else None

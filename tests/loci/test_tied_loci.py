@@ -328,27 +328,14 @@ def bennett_lines(qa: float) -> Array:
     Bennett's relation, sin ½(β + α) / sin ½(β − α) = sin 60° / sin 30° = √3, up to the
     sense of the axes; which product closes is found by trying.
     """
-    table = [(0.0, 0.0), (1.0, pi / 6), (2.0, pi / 2), (1.0, pi / 6)]
-
-    def frames(angles: tuple[float, ...]) -> list[Array]:
-        place = np.eye(4)
-        found = []
-        for (d, alpha), q in zip(table, angles, strict=True):
-            c, s, ca, sa = cos(q), np.sin(q), cos(alpha), np.sin(alpha)
-            tilt = np.array(
-                [[1, 0, 0, d], [0, ca, -sa, 0], [0, sa, ca, 0], [0, 0, 0, 1]]
-            )
-            turn = np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
-            place = place @ tilt @ turn
-            found.append(place)
-        back = np.array([[1, 0, 0, 2], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1.0]])
-        return [*found, place @ back]
+    table = [(0.0, 0.0), (1.0, pi / 6), (2.0, pi / 2), (1.0, pi / 6), (2.0, pi / 2)]
 
     half = np.tan(qa / 2)
     for ratio in (sqrt(3), 1 / sqrt(3), -sqrt(3), -1 / sqrt(3)):
         for one, other in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
             for qb in (2 * np.arctan(ratio * half), 2 * np.arctan2(ratio, half)):
-                places = frames((qa, float(qb), one * qa, other * float(qb)))
+                turns = [qa, float(qb), one * qa, other * float(qb), 0.0]
+                places = chained(table, turns)
                 if np.allclose(places[-1], np.eye(4)):
                     axes = [p[:3, 2] for p in places[:-1]]
                     points = [p[:3, 3] for p in places[:-1]]
@@ -371,6 +358,63 @@ def test_any_three_hinges_of_bennett_are_independent_in_floats() -> None:
         for left_out in range(4):
             three = np.delete(lines, left_out, axis=0)
             assert np.linalg.svd(three, compute_uv=False)[2] > 0.02
+
+
+GOLDBERG = """
+screwkit: 1
+name: goldberg
+geometry: mdh
+base: ground
+platform: c
+links: [ground, a, b, c, d, tip]
+joints:
+  - {name: P, type: revolute, parent: ground, child: a, mdh: {}}
+  - {name: T, type: revolute, parent: a, child: b, mdh: {d: 1 + sqrt(3), alpha: pi/2}}
+  - {name: V, type: revolute, parent: b, child: c, mdh: {d: 2, alpha: pi/2}}
+  - {name: R, type: revolute, parent: c, child: d, mdh: {d: sqrt(3), alpha: pi/3}}
+  - {name: S, type: revolute, parent: d, child: tip, mdh: {d: 1, alpha: pi/6}}
+  - {name: E, type: fixed, parent: ground, child: tip, mdh: {d: -2, alpha: -pi/2}}
+actuated: [P]
+"""
+
+
+def test_goldberg_keeps_its_rank_at_all_closed_postures() -> None:
+    """Two Bennett loops with a link in common; floats see no fifth and four ranks."""
+    constraint = answer(GOLDBERG).constraint
+    assert (constraint.generic_rank, constraint.complete) == (4, True)
+    assert not constraint.components
+    table = [(0.0, 0.0), (1 + sqrt(3), pi / 2), (2.0, pi / 2)]
+    table += [(sqrt(3), pi / 3), (1.0, pi / 6), (2.0, pi / 2)]
+    source = np.random.default_rng(4)
+    seen = 0
+    for _ in range(40):
+
+        def gap(x: Array) -> Array:
+            return np.asarray(chained(table, [*x, 0.0])[-1][:3] - np.eye(4)[:3]).ravel()
+
+        closed = solved(gap, source.uniform(-pi, pi, 5))
+        if closed is None:
+            continue
+        places = chained(table, [*closed, 0.0])[:5]
+        lines = np.array([[*p[:3, 2], *np.cross(p[:3, 3], p[:3, 2])] for p in places])
+        sizes = np.linalg.svd(lines, compute_uv=False)
+        assert sizes[4] < 1e-7
+        assert sizes[3] > 1e-3
+        seen += 1
+    assert seen > 3
+
+
+def chained(table: list[tuple[float, float]], angles: list[float]) -> list[Array]:
+    """Frames of a table of distances and twists, each turned by its angle."""
+    place = np.eye(4)
+    found = []
+    for (d, alpha), q in zip(table, angles, strict=True):
+        c, s, ca, sa = cos(q), np.sin(q), cos(alpha), np.sin(alpha)
+        tilt = np.array([[1, 0, 0, d], [0, ca, -sa, 0], [0, sa, ca, 0], [0, 0, 0, 1]])
+        turn = np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+        place = place @ tilt @ turn
+        found.append(place)
+    return found
 
 
 SPHERICAL = """
@@ -583,12 +627,11 @@ actuated: [A]
 """
 
 
-def test_two_loops_say_what_is_known_of_them() -> None:
-    """B, C, D in line is a dead point of the first loop; the rest is left open."""
+def test_two_loops_are_dead_where_the_first_one_is() -> None:
+    """B, C, D in line is a dead point of the first loop; E, F, G never are in line."""
     found = answer(SIX_BAR)
     assert found.actuation is not None
-    assert not found.actuation.complete
-    assert found.actuation.reason
+    assert found.actuation.complete
     (component,) = found.actuation.components
     for q1, q2 in ((0.3, 0.4), (-1.0, 2.0)):
         b = cmath.exp(1j * q1) * (1 + 2j)
@@ -601,6 +644,29 @@ def test_two_loops_say_what_is_known_of_them() -> None:
     first, second = found.limb
     assert (first.generic_rank, first.complete) == (2, False)
     assert (second.generic_rank, second.complete) == (2, True)
+    sums = abs(9 + 4j - (4 + 6j)) + abs(9 + 4j - (10 - 1j))
+    differences = abs(abs(9 + 4j - (4 + 6j)) - abs(9 + 4j - (10 - 1j)))
+    apart = [abs(e - (10 - 1j)) for e in ends_of_the_first_loop()]
+    assert len(apart) > 1000
+    assert differences + 0.1 < min(apart)
+    assert max(apart) < sums - 0.1
+
+
+def ends_of_the_first_loop() -> list[complex]:
+    """E on the coupler of A, B, C, D, by the law of cosines, all round."""
+    crank, coupler, rocker = 1 + 2j, 4 + 1j, abs(5 + 3j - 6)
+    found = []
+    for q1 in np.linspace(-pi, pi, 2001):
+        b = crank * cmath.exp(1j * q1)
+        away = 6 - b
+        along = (abs(coupler) ** 2 - rocker**2 + abs(away) ** 2) / (2 * abs(away))
+        if abs(along) > abs(coupler):
+            continue
+        across = sqrt(abs(coupler) ** 2 - along**2)
+        for side in (1, -1):
+            arm = away / abs(away) * complex(along, side * across)
+            found.append(b + arm / coupler * (3 + 4j))
+    return found
 
 
 def test_strata_of_tied_loops_are_refused_with_the_reason() -> None:
