@@ -7,12 +7,14 @@ proof here reads signs off the terms, so a missing proof says nothing.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import groupby
 from operator import itemgetter
 from typing import Any
 
 from flint import arb, ctx
 
+from screwkit.algebra.sturm import real_zeros
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, as_fraction
 
 
@@ -63,7 +65,8 @@ class Assumptions:
         for generator, exponent in zip(known, common.monoms()[0], strict=True):
             if exponent and not generator.strict:
                 return False
-        return self._range(ring, polynomial / common, known).strict
+        rest = polynomial / common
+        return self._range(ring, rest, known).strict or _keeps_its_sign(ring, rest)
 
     def has_one_sign(self, ring: TrigonometricRing, polynomial: Polynomial) -> bool:
         """Whether no two terms of a polynomial can have different signs."""
@@ -117,6 +120,17 @@ class Assumptions:
             else:
                 total = _Range(total.sign, total.strict or term.strict)
         return total or _UNKNOWN
+
+
+def _keeps_its_sign(ring: TrigonometricRing, polynomial: Polynomial) -> bool:
+    """Whether it is in one symbol, over the rational numbers, without a real zero."""
+    used = [place for place, degree in enumerate(polynomial.degrees()) if degree]
+    if len(used) != 1 or used[0] not in ring.symbol_indices():
+        return False
+    coefficients = [Fraction(0)] * (polynomial.degrees()[used[0]] + 1)
+    for monomial, c in zip(polynomial.monoms(), polynomial.coeffs(), strict=True):
+        coefficients[monomial[used[0]]] = Fraction(int(c.p), int(c.q))
+    return not real_zeros(coefficients)
 
 
 def _terms(

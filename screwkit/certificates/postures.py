@@ -32,7 +32,13 @@ from screwkit.algebra.survey import SurveyRing
 from screwkit.certificates.records import Angles, Part, Step, Unsolved
 from screwkit.certificates.root_postures import Roots
 from screwkit.certificates.spoken_of import spoken_of
-from screwkit.certificates.texts import RefusedError, fraction, radicands_of, read
+from screwkit.certificates.texts import (
+    NoPostureError,
+    RefusedError,
+    fraction,
+    radicands_of,
+    read,
+)
 from screwkit.kinematics.placement import joint_twists
 from screwkit.mechanism.model import Mechanism
 
@@ -153,7 +159,7 @@ class Postures:
             except (ResampleError, ZeroDivisionError):
                 continue
             return before, there
-        raise RefusedError("no exact posture was found where one is claimed")
+        raise NoPostureError("no exact posture was found where one is claimed")
 
     def turn(self) -> Turn:
         """A random point of the circle."""
