@@ -7,6 +7,7 @@ proof here reads signs off the terms, so a missing proof says nothing.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import groupby
 from operator import itemgetter
 from typing import Any
@@ -14,6 +15,7 @@ from typing import Any
 from flint import arb, ctx
 
 from screwkit.algebra.remembered import remembered
+from screwkit.algebra.sturm import real_zeros
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, as_fraction
 
 
@@ -126,7 +128,19 @@ def _is_nonzero(
     for generator, exponent in zip(known, common.monoms()[0], strict=True):
         if exponent and not generator.strict:
             return False
-    return assumed.range_of(ring, polynomial / common, known).strict
+    rest = polynomial / common
+    return assumed.range_of(ring, rest, known).strict or _keeps_its_sign(ring, rest)
+
+
+def _keeps_its_sign(ring: TrigonometricRing, polynomial: Polynomial) -> bool:
+    """Whether it is in one symbol, over the rational numbers, without a real zero."""
+    used = [place for place, degree in enumerate(polynomial.degrees()) if degree]
+    if len(used) != 1 or used[0] not in ring.symbol_indices():
+        return False
+    coefficients = [Fraction(0)] * (polynomial.degrees()[used[0]] + 1)
+    for monomial, c in zip(polynomial.monoms(), polynomial.coeffs(), strict=True):
+        coefficients[monomial[used[0]]] = Fraction(int(c.p), int(c.q))
+    return not real_zeros(coefficients)
 
 
 def _terms(

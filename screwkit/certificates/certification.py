@@ -243,14 +243,23 @@ class _Derivation:
             part = self._claims(question, (), (), (), limb, locked)
             return replace(part, reason=f"no component is listed: {error}")
         if not complete:
-            return replace(part, reason="the answer says that its list may have gaps")
+            return self._held(part, "the answer says that its list may have gaps")
         try:
             problem = self._problem(loci, question)
             proved = replace(part, proof=proof_of(problem))
             checked(self._subject.mechanism, proved, "written")
         except (NotProvedError, RefusedError) as error:
-            return replace(part, reason=str(error))
+            return self._held(part, str(error))
         return proved
+
+    def _held(self, part: Part, reason: str) -> Part:
+        """The claims without a proof, if they hold; else without components."""
+        try:
+            checked(self._subject.mechanism, part, "written")
+        except RefusedError as error:
+            reason = f"no component is listed: {error}"
+            return replace(part, components=(), idle=(), reason=reason)
+        return replace(part, reason=reason)
 
     def _claims(
         self,

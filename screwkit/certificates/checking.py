@@ -40,7 +40,7 @@ from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.solutions import Solutions
-from screwkit.certificates.texts import RefusedError, fraction, read
+from screwkit.certificates.texts import NoPostureError, RefusedError, fraction, read
 from screwkit.mechanism.model import Mechanism
 
 ATTEMPTS = 8
@@ -76,16 +76,20 @@ def check(
 
 def checked(mechanism: Mechanism, part: Part, seed: str) -> Findings:
     """Check a part; again with other postures where one lacks a root."""
+    missing = RefusedError("roots or inverses in it do not exist at random postures")
     for attempt in range(ATTEMPTS):
         source = random.Random(f"{seed}/{attempt}")
         try:
             return _PartCheck(mechanism, part, source).all()
         except ResampleError:
             continue
+        except NoPostureError as refusal:  # nor, perhaps, modulo this prime alone
+            missing = refusal
+            continue
         except (LookupError, ArithmeticError, ValueError, RecursionError) as error:
             # Names, numbers or depths that the mechanism does not have.
             raise RefusedError(f"it does not fit the mechanism: {error!r}") from None
-    raise RefusedError("roots or inverses in it do not exist at random postures")
+    raise missing
 
 
 class _PartCheck:
@@ -143,7 +147,7 @@ class _PartCheck:
                     real.append(locus.equations)
             except RefusedError as refusal:
                 text = " = 0, ".join(locus.equations)
-                raise RefusedError(f"component {text} = 0: {refusal}") from None
+                raise type(refusal)(f"component {text} = 0: {refusal}") from None
         if part.proof is not None:
             loci.none_inside_another()
             self._node(part.proof, Way())
@@ -184,7 +188,7 @@ class _PartCheck:
         except RefusedError as refusal:
             if str(refusal).startswith("node "):
                 raise
-            raise RefusedError(f"node {node.number}: {refusal}") from None
+            raise type(refusal)(f"node {node.number}: {refusal}") from None
         self._finished[node.number] = way
 
     def _examined(self, node: Node, way: Way) -> None:

@@ -33,6 +33,7 @@ from screwkit.certificates.records import Angles, Part, Step, Unsolved
 from screwkit.certificates.root_postures import Roots
 from screwkit.certificates.spoken_of import spoken_of
 from screwkit.certificates.texts import (
+    NoPostureError,
     RefusedError,
     fraction,
     names_in,
@@ -199,7 +200,7 @@ class Postures:
             except (ResampleError, ZeroDivisionError):
                 continue
             return before, there
-        raise RefusedError("no exact posture was found where one is claimed")
+        raise NoPostureError("no exact posture was found where one is claimed")
 
     def unknowns_of(self, texts: Sequence[str], way: Way) -> list[int | str]:
         """Basis angles and symbols on which expressions may depend after the steps."""

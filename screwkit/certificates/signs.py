@@ -1,7 +1,8 @@
-"""Expressions that vanish nowhere, by the signs of their terms alone.
+"""Expressions that vanish nowhere, by the signs of their terms.
 
 A sum whose terms have one sign, one of them never zero, is never zero; even powers and
-roots are never negative.  No proof is found for anything cleverer.
+roots are never negative.  Of a polynomial in one symbol, with rational numbers, real
+zeros are counted.  No proof is found for anything cleverer.
 """
 
 from __future__ import annotations
@@ -16,11 +17,12 @@ from screwkit.algebra.expression import (
     Expression,
     Number,
     Pi,
-    Power,
     Product,
     Sum,
     Symbol,
 )
+from screwkit.algebra.sturm import real_zeros
+from screwkit.certificates.one_symbol import coefficients_of, factors_of, terms_of
 
 
 @dataclass(frozen=True)
@@ -37,13 +39,14 @@ class Signs:
 
     def never_zero(self, expression: Expression) -> bool:
         """Whether a proof was found that the expression vanishes at no real values."""
-        terms = [_factors(term) for term in _terms(expression)]
+        terms = [factors_of(term) for term in terms_of(expression)]
         common = terms[0][1]
         for _, factors in terms[1:]:
             common = common & factors
         if not all(self._of_atom(atom)[1] for atom in common):
             return False
-        return self._sum([(number, own - common) for number, own in terms])[1]
+        left = [(number, own - common) for number, own in terms]
+        return self._sum(left)[1] or _keeps_its_sign(left)
 
     def _of_atom(self, atom: Expression) -> tuple[int, bool]:
         """(1 for ≥ 0, −1 for ≤ 0, 0 for unknown; whether it is never 0)."""
@@ -66,7 +69,7 @@ class Signs:
                 return 0, False
 
     def _of(self, expression: Expression) -> tuple[int, bool]:
-        return self._sum([_factors(term) for term in _terms(expression)])
+        return self._sum([factors_of(term) for term in terms_of(expression)])
 
     def _sum(
         self, terms: list[tuple[Fraction, Counter[Expression]]]
@@ -89,23 +92,7 @@ class Signs:
         return total or (0, False)
 
 
-def _terms(expression: Expression) -> tuple[Expression, ...]:
-    return expression.terms if isinstance(expression, Sum) else (expression,)
-
-
-def _factors(term: Expression) -> tuple[Fraction, Counter[Expression]]:
-    """The number of a term and the powers of everything else in it."""
-    number, found = Fraction(1), Counter[Expression]()
-    waiting = [(term, 1)]
-    while waiting:
-        factor, power = waiting.pop()
-        match factor:
-            case Number(value):
-                number *= value**power
-            case Product(factors):
-                waiting += [(inner, power) for inner in factors]
-            case Power(base, exponent) if exponent > 0:
-                waiting.append((base, power * exponent))
-            case _:
-                found[factor] += power
-    return number, found
+def _keeps_its_sign(terms: list[tuple[Fraction, Counter[Expression]]]) -> bool:
+    """Whether a sum is a polynomial in one symbol without a real zero."""
+    found = coefficients_of(terms)
+    return found is not None and any(found) and not real_zeros(found)

@@ -51,7 +51,7 @@ def spoken_of(mechanism: Mechanism, part: Part) -> SpokenOf:
 
 
 def _of_loops(mechanism: Mechanism, part: Part) -> SpokenOf:
-    if not holding_joints(mechanism):
+    if mechanism.base != mechanism.platform and not holding_joints(mechanism):
         raise RefusedError("nothing connects the platform with the base")
     own = mechanism
     if part.question == "limb":

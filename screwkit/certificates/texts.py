@@ -12,7 +12,8 @@ from screwkit.algebra.expression_building import symbols_of
 from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.parse import parse
 from screwkit.algebra.rational_values import rational_value
-from screwkit.certificates.records import Part, Step
+from screwkit.certificates.one_symbol import coefficients_of, factors_of, terms_of
+from screwkit.certificates.records import Part, Step, Unsolved
 
 _MOST = 8
 """Different square roots for which a prime is looked for; each halves the primes."""
@@ -20,6 +21,10 @@ _MOST = 8
 
 class RefusedError(Exception):
     """A certificate does not hold; the text says what."""
+
+
+class NoPostureError(RefusedError):
+    """No posture was found where one is claimed; modulo another prime one may be."""
 
 
 @lru_cache(maxsize=20_000)
@@ -47,24 +52,32 @@ def fraction(text: str) -> Fraction:
 
 
 def radicands_of(part: Part) -> list[Fraction]:
-    """The numbers whose roots solve a·sin φ + b·cos φ + c = 0: a² + b² − c².
+    """The numbers whose roots solve quadratic equations in numbers.
+
+    They are a² + b² − c² of a·sin φ + b·cos φ + c = 0, and discriminants.
 
     Raises:
         RefusedError: If a, b or c is no rational number.
     """
     found: dict[Fraction, None] = {}
     for step in _steps(part):
-        if step.kind == "numbers" and len(step.numbers) == 3:
+        if isinstance(step, Unsolved):
+            terms = [factors_of(term) for term in terms_of(read(step.equation))]
+            quadratic = coefficients_of(terms) or []
+            if len(quadratic) == 3:
+                c, b, a = quadratic
+                found[b * b - 4 * a * c] = None
+        elif step.kind == "numbers" and len(step.numbers) == 3:
             a, b, c = map(fraction, step.numbers)
             found[a * a + b * b - c * c] = None
     return [radicand for radicand in found if radicand > 0][:_MOST]
 
 
-def _steps(part: Part) -> Iterator[Step]:
+def _steps(part: Part) -> Iterator[Step | Unsolved]:
     waiting: list[object] = [part]
     while waiting:
         here = waiting.pop()
-        if isinstance(here, Step):
+        if isinstance(here, (Step, Unsolved)):
             yield here
         if isinstance(here, (tuple, list)):
             waiting.extend(here)

@@ -19,8 +19,6 @@ from screwkit.mechanism.model import Joint, Mechanism
 
 Neighbours: TypeAlias = dict[str, list[tuple[str, Step]]]
 
-_HELD = " held"  # no name of a file has a blank in front
-
 
 def short_loops(mechanism: Mechanism) -> tuple[tuple[Step, ...], ...]:
     """Independent loops, joints − links + components of them.
@@ -47,11 +45,13 @@ def held_loops(mechanism: Mechanism) -> tuple[tuple[Step, ...], ...]:
     """The same where the platform is rigidly connected with the base.
 
     The joint that connects them stands in a loop by a name that is none of the file's.
+    Nothing changes where one body is both.
     """
     if mechanism.base == mechanism.platform:
         return short_loops(mechanism)
     first = mechanism.joints[0]
-    weld = replace(first, name=_HELD, parent=mechanism.base, child=mechanism.platform)
+    name = "held" + max((joint.name for joint in mechanism.joints), key=len)
+    weld = replace(first, name=name, parent=mechanism.base, child=mechanism.platform)
     return short_loops(replace(mechanism, joints=(*mechanism.joints, weld)))
 
 

@@ -17,6 +17,7 @@ from certificates import test_certificates as chains
 import screwkit
 from screwkit.algebra.constants import ConstantField
 from screwkit.case import load_text
+from screwkit.certificates.certification import certified_graph
 from screwkit.certificates.checking import check
 from screwkit.certificates.graph_matrix import GraphMatrix
 from screwkit.certificates.postures import Postures, Way
@@ -242,6 +243,51 @@ def test_false_proofs_of_the_four_bar_are_refused(
 ) -> None:
     with pytest.raises(RefusedError, match=why):
         check(bars(*components, proof=proof), load_text(BARS).mechanism, 1)
+
+
+# -- conditions in numbers -----------------------------------------------------------
+
+TRIANGLE = """
+screwkit: 1
+name: triangle
+space: planar
+base: ground
+platform: far
+links: [ground, near, far]
+geometry: posture
+variables: {x: 5}
+joints:
+  - {name: A, type: revolute, parent: ground, child: near, point: [0, 0]}
+  - {name: B, type: revolute, parent: near, child: far, point: [x, 1]}
+  - {name: C, type: revolute, parent: far, child: ground, point: [PLACE, x - 1]}
+"""
+
+
+def triangle(place: int, tmp_path: Path) -> screwkit.Case:
+    """Three joints, on one line where x·(x − 1) = place."""
+    path = tmp_path / "triangle.yaml"
+    path.write_text(TRIANGLE.replace("PLACE", str(place)), encoding="utf-8")
+    return screwkit.load(path)
+
+
+def test_what_no_real_posture_meets_is_not_listed(tmp_path: Path) -> None:
+    """x² − x + 2 has the discriminant −7."""
+    case = triangle(-2, tmp_path)
+    constraint = screwkit.singularities(case).constraint
+    assert constraint.complete
+    assert not constraint.components
+
+
+def test_irrational_postures_are_met_modulo_every_prime(tmp_path: Path) -> None:
+    """x² − x − 3 has the discriminant 13, no square modulo every other prime."""
+    case = triangle(3, tmp_path)
+    answer = screwkit.singularities(case)
+    assert [c.equations for c in answer.constraint.components] == [("x^2 - x - 3",)]
+    graph = WholeGraph(case.mechanism)
+    found = certified_graph(graph, answer, Source(""), "0")
+    assert all(part.proof is not None for part in found.parts)
+    for seed in range(12):
+        check(found, case.mechanism, seed)
 
 
 # -- a limb by its loop equations ----------------------------------------------------

@@ -24,6 +24,8 @@ SIGNS = Signs({"a", "b"}, {"a", "b", "c"})
         "-a - b*cos(q)^4",
         "sqrt(a^2 + x^2)",
         "cos(pi/5)*a",
+        "x^2 - x + 2",
+        "a*x^4 - a*x + a",
     ],
 )
 def test_never_zero(text: str) -> None:
@@ -45,6 +47,11 @@ def test_never_zero(text: str) -> None:
         "a + b*x",
         "0*a",
         "cos(2*pi/3)*a - b",
+        "x^2 - 3*x + 1",
+        "x^2 - 2*x + 1",
+        "x^3 - x + 7",
+        "x^2 - x*y + 2",
+        "x^50 - x + 2",
     ],
 )
 def test_no_proof_where_it_may_vanish_or_is_not_plain(text: str) -> None:
