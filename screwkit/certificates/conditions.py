@@ -42,6 +42,7 @@ class Problem:
         moving: Whether a posture counts where the platform moves, not where the rank
             of the matrix falls.
         axes: By freedom: the square of its axis, where that is not constant.
+        directions: By freedom: the coordinates of its axis.
     """
 
     root: Branch
@@ -51,6 +52,7 @@ class Problem:
     library: FactorLibrary
     signs: Signs
     axes: dict[str, Polynomial]
+    directions: dict[str, tuple[Polynomial, ...]]
 
 
 @dataclass(frozen=True)
@@ -98,7 +100,9 @@ class Conditions:
             for left_out in combinations(branch.pending, size):
                 kept = tuple(p for p in branch.pending if p not in left_out)
                 try:
-                    found = roots_of(branch.ring, [p.value for p in kept])
+                    found = roots_of(
+                        branch.ring, [p.value for p in kept], branch.nonzero
+                    )
                 except NotProvedError:
                     continue
                 fewer = replace(branch, pending=kept)

@@ -43,7 +43,7 @@ from screwkit.mechanism.graph import limbs
 from screwkit.mechanism.joints import freedom_labels
 from screwkit.mechanism.model import Mechanism
 
-POINTS = 3
+POINTS = 2
 """Postures at which an identity is compared."""
 
 CHOICES = 6
@@ -244,17 +244,17 @@ class Postures:
         return point
 
     def _stepped(self, point: PointRing, step: Step) -> PointRing:
-        over = point.value(read(step.over))
-        if over == 0:
+        over = None if step.over == "1" else point.value(read(step.over))
+        if over is not None and over == 0:
             raise ResampleError
+
+        def value(text: str) -> Any:
+            above = point.value(read(text))
+            return above if over is None else above / over
+
         if step.kind == "symbol":
-            value = point.value(read(step.value)) / over
-            return point.changed(numbers={step.symbol: value})
-        turn = (
-            point.value(read(step.cosine)) / over,
-            point.value(read(step.sine)) / over,
-        )
-        return point.changed(step.angle, turn)
+            return point.changed(numbers={step.symbol: value(step.value)})
+        return point.changed(step.angle, (value(step.cosine), value(step.sine)))
 
     def _numbers_turn(
         self, point: PointRing, numbers: Sequence[str], second: int
