@@ -243,6 +243,18 @@ class Postures:
                 point = self._stepped(point, step)
         return point
 
+    def excluded(self, way: Way) -> bool:
+        """Whether a divisor of a way, which vanishes nowhere there, is 0 all over it."""
+        for _ in range(POINTS):
+            point, after = self._drawn(), Way()
+            for step in reversed(way.steps):
+                if self.moved(point, after).value(read(step.over)) == 0:
+                    break
+                after = Way((step, *after.steps))
+            else:
+                return False
+        return True
+
     def _stepped(self, point: PointRing, step: Step) -> PointRing:
         over = None if step.over == "1" else point.value(read(step.over))
         if over is not None and over == 0:

@@ -208,6 +208,8 @@ class Solutions:
                 raise RefusedError(f"{step.value} may vanish together with {step.over}")
             sheet = replace(solved, value="")
             there = replace(way, steps=(*way.steps, sheet))
+            if self._postures.excluded(there):
+                continue
             for point in self._postures.several(there):
                 if point.value(read(step.value)) != point.value(value):
                     raise RefusedError(f"{step.value} has another value there")

@@ -250,3 +250,12 @@ def test_an_axis_ends_where_each_of_its_coordinates_does() -> None:
     ):
         with pytest.raises(RefusedError, match="direction"):
             examined(*wrong)
+
+
+def test_where_a_divisor_vanishes_there_is_no_posture() -> None:
+    """Of x = z/y nothing is left where y = 0, and all where z = 0."""
+    step = Step("symbol", symbol="x", value="z", over="y")
+    for symbol, excluded in (("y", True), ("z", False)):
+        there = Way((step, Step("symbol", symbol=symbol, value="0")))
+        assert arm().excluded(there) is excluded
+    assert not arm().excluded(Way((step,)))
