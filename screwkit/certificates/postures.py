@@ -244,7 +244,7 @@ class Postures:
         return point
 
     def excluded(self, way: Way) -> bool:
-        """Whether a divisor of a way, which vanishes nowhere there, is 0 all over it."""
+        """Whether a divisor of a way, which is 0 nowhere there, is 0 all over it."""
         for _ in range(POINTS):
             point, after = self._drawn(), Way()
             for step in reversed(way.steps):
