@@ -206,13 +206,22 @@ class Branch:
             return None
         fixed: set[int] = set()
         values = [p.value for p in self.pending]
+        nonzero = self.nonzero
         solved = moved_onto(
-            self.ring, values, point, source, prime, pairs=self.thorough
+            self.ring,
+            values,
+            point,
+            source,
+            prime,
+            pairs=self.thorough,
+            nonzero=nonzero,
         )
         if solved is None and self.thorough and len(values) > 2:
             # What follows from other conditions leaves no unknown to meet it by.
             fewer = source.sample(values, len(values) - source.choice((1, 1, 2)))
-            solved = moved_onto(self.ring, fewer, point, source, prime, pairs=True)
+            solved = moved_onto(
+                self.ring, fewer, point, source, prime, pairs=True, nonzero=nonzero
+            )
         if solved is None:
             return None
         whole = with_extensions(self.ring, solved, prime)
@@ -239,7 +248,15 @@ class Branch:
         checked = [*values, *(self.conditions if self.ring.radicands else ())]
         if found is None or any(residue(value, found, prime) for value in checked):
             return None
-        return found
+        # Where a length that is not 0 vanishes there is no posture.
+        return found if all(found[index] for index in nonzero) else None
+
+    @cached_property
+    def nonzero(self) -> tuple[int, ...]:
+        """Indices of the symbols that are not 0."""
+        names = self.assumptions.positive | self.assumptions.nonzero
+        places = zip(self.ring.symbols, self.ring.symbol_indices(), strict=True)
+        return tuple(index for name, index in places if name in names)
 
 
 def random_branch_prime(source: random.Random) -> int:

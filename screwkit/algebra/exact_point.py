@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping, Sequence
+from copy import copy
 
 from flint import nmod, nmod_mat, nmod_poly
 
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.evaluated_modulo import Layout, laid_out
 from screwkit.algebra.evaluation import add_angles, evaluate, multiply_angle
-from screwkit.algebra.expression import Expression
+from screwkit.algebra.expression import Expression, Number
 from screwkit.algebra.modular import ModularRing, ResampleError, Residue
 from screwkit.algebra.rational_values import rational_value
 
@@ -66,17 +67,15 @@ class PointRing(ModularRing):
         numbers: Mapping[str, Residue] | None = None,
     ) -> PointRing:
         """The point with one basis angle or some symbols moved."""
-        turns = list(self.turns)
+        other = copy(self)
         if angle is not None and turn is not None:
+            turns = list(self.turns)
             turns[angle] = turn
-        return PointRing(
-            self.prime,
-            self.constants,
-            self._declared,
-            turns,
-            self.numbers | dict(numbers or {}),
-            self,
-        )
+            other.turns = tuple(turns)
+        if numbers:
+            other.numbers = self.numbers | dict(numbers)
+        other.known, other._angles, other._roots = {}, {}, {}
+        return other
 
     def value(self, expression: Expression) -> Residue:
         """What an expression is here.
@@ -84,6 +83,8 @@ class PointRing(ModularRing):
         Raises:
             ResampleError: If a root or an inverse in it does not exist here.
         """
+        if isinstance(expression, Number):
+            return self.rational(expression.value)
         known = self._layouts.get(id(expression))
         if known is None:
             known = self._layouts[id(expression)] = expression, laid_out(expression)

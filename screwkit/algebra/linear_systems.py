@@ -7,7 +7,7 @@ determinant of their coefficients is not zero.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -63,6 +63,25 @@ def linear_systems(
         if found:
             break
     return sorted(found, key=lambda own: (len(own.determinant), own.symbols))
+
+
+def has_solutions(
+    conditions: Sequence[Polynomial], system: LinearSystem, nonzero: Collection[int]
+) -> bool:
+    """Whether a system has solutions where its determinant does not vanish.
+
+    A homogeneous one has 0 alone, which symbols that are not 0 exclude.
+
+    Args:
+        conditions: Of which the system speaks.
+        system: Some of them.
+        nonzero: Indices of generators that are not 0.
+    """
+    return not {*system.symbols} & {*nonzero} or any(
+        not any(exponents[i] for i in system.symbols)
+        for k in system.conditions
+        for exponents in conditions[k].monoms()
+    )
 
 
 def solved_at(

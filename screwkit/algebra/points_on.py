@@ -7,14 +7,14 @@ polynomial in one unknown, whose roots mod p FLINT finds.
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from itertools import combinations
 from typing import Any
 
 from flint import nmod_poly
 
 from screwkit.algebra.common_root import common_root
-from screwkit.algebra.linear_systems import linear_systems, solved_at
+from screwkit.algebra.linear_systems import has_solutions, linear_systems, solved_at
 from screwkit.algebra.points import Point, random_angle, residue
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
@@ -27,6 +27,7 @@ def moved_onto(
     prime: int,
     *,
     pairs: bool = False,
+    nonzero: Collection[int] = (),
 ) -> Point | None:
     """Move the point onto all pending conditions, each along a generator of its own.
 
@@ -37,6 +38,7 @@ def moved_onto(
         source: Of randomness.
         prime: Modulus of the point.
         pairs: Move along two generators where two conditions share all of theirs.
+        nonzero: Indices of generators that are not 0.
     """
     remaining = list(pending)
     while remaining:
@@ -47,19 +49,27 @@ def moved_onto(
             if free:
                 break
         else:
-            systems = linear_systems(ring, remaining)
+            systems = [
+                own
+                for own in linear_systems(ring, remaining)
+                if has_solutions(remaining, own, nonzero)
+            ]
             if systems:
                 system = systems[0]
                 taken = {*system.conditions}
                 rest = [p for k, p in enumerate(remaining) if k not in taken]
-                before = moved_onto(ring, rest, point, source, prime, pairs=pairs)
+                before = moved_onto(
+                    ring, rest, point, source, prime, pairs=pairs, nonzero=nonzero
+                )
                 return before and solved_at(remaining, system, before, prime)
-            return (
-                _with_a_pair(ring, remaining, point, source, prime) if pairs else None
-            )
+            if not pairs:
+                return None
+            return _with_a_pair(ring, remaining, point, source, prime, nonzero)
         condition = remaining.pop(position)
         # Solve the others first: they do not contain the variable kept for this one.
-        solved = moved_onto(ring, remaining, point, source, prime, pairs=pairs)
+        solved = moved_onto(
+            ring, remaining, point, source, prime, pairs=pairs, nonzero=nonzero
+        )
         if solved is None:
             return None
         return _onto(ring, condition, free, solved, prime, source=source)
@@ -72,6 +82,7 @@ def _with_a_pair(
     point: Point,
     source: random.Random,
     prime: int,
+    nonzero: Collection[int],
 ) -> Point | None:
     """The point on conditions of which two share two unknowns that the others lack."""
     others = [set(unknowns(ring, p)) for p in remaining]
@@ -82,7 +93,9 @@ def _with_a_pair(
         if len(shared) < 2:
             continue
         kept = [remaining[i] for i in rest]
-        solved = moved_onto(ring, kept, point, source, prime, pairs=True)
+        solved = moved_onto(
+            ring, kept, point, source, prime, pairs=True, nonzero=nonzero
+        )
         if solved is None:
             return None
         pair = remaining[one], remaining[two]

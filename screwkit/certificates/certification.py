@@ -299,8 +299,14 @@ class _Derivation:
             self._library,
             self._signs,
             {j: square for j, square in squares.items() if not square.is_constant()},
+            {joint: self._direction(joint) for joint in self._framed.joints},
             self._least(question),
         )
+
+    def _direction(self, joint: str) -> tuple[Polynomial, ...]:
+        """Of a rotation, or else of a translation."""
+        column = tuple(self._framed.column(joint))
+        return column[:3] if any(x != 0 for x in column[:3]) else column[3:]
 
     def _least(self, question: str) -> int:
         """What a limb by its loop equations allows in general; −1 elsewhere."""
@@ -378,4 +384,6 @@ def _reach(branch: Branch) -> Reach:
     """How points of a branch are found."""
     steps = tuple(written_step(branch, n) for n in range(len(branch.steps)))
     ring = branch.ring
-    return Reach(steps, roots_of(ring, [p.value for p in branch.pending]))
+    return Reach(
+        steps, roots_of(ring, [p.value for p in branch.pending], branch.nonzero)
+    )

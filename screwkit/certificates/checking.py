@@ -34,13 +34,13 @@ from screwkit.certificates.records import (
     Node,
     Part,
     Sheet,
-    Step,
 )
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.solutions import Solutions
-from screwkit.certificates.texts import NoPostureError, RefusedError, fraction, read
+from screwkit.certificates.texts import NoPostureError, RefusedError, read
+from screwkit.mechanism.graph import limbs
 from screwkit.mechanism.model import Mechanism
 
 ATTEMPTS = 8
@@ -63,7 +63,7 @@ def check(
     Raises:
         RefusedError: With what does not hold.
     """
-    if not certificate.parts:
+    if not certificate.parts and limbs(mechanism):
         raise RefusedError("it claims nothing")
     found = []
     for number, part in enumerate(certificate.parts):
@@ -110,9 +110,12 @@ class _PartCheck:
         )
         self._dimensions = {p.name for p in own if not p.free}
         self._sheets = Sheets(self._postures, source)
-        self._loci = ClaimedLoci(self._postures, self._matrix, self._sheets)
         self._general = GeneralClaims(
-            self._postures, self._matrix, self._sheets, self._dimensions
+            self._postures,
+            self._matrix,
+            self._sheets,
+            self._dimensions,
+            self._signs.nonzero,
         )
         self._solutions = Solutions(self._postures, self._signs)
         self._loci = ClaimedLoci(self._postures, self._matrix, self._sheets)
@@ -250,35 +253,26 @@ class _PartCheck:
             if text not in way.conditions and not self._zero_on(read(text), way):
                 raise RefusedError(f"it is not in node {node.earlier}")
         for point in self._postures.several(way):
-            if not all(self._satisfied(step, point) for step in earlier.steps):
+            if not all(
+                self._solutions.satisfied(step, point) for step in earlier.steps
+            ):
                 raise RefusedError(f"it is not in node {node.earlier}")
 
-    def _satisfied(self, step: Step, point: PointRing) -> bool:
-        if step.kind == "symbol":
-            left = point.value(read(step.over)) * point.symbol(step.symbol)
-            return bool(left == point.value(read(step.value)))
-        cosine, sine = point.turns[step.angle]
-        if step.kind == "numbers":
-            a, b, c = (point.rational(fraction(text)) for text in step.numbers)
-            return bool(a * sine + b * cosine + c == 0)
-        over = point.value(read(step.over))
-        return bool(
-            over * cosine == point.value(read(step.cosine))
-            and over * sine == point.value(read(step.sine))
-        )
-
     def _without_axis(self, node: Node, way: Way) -> None:
-        """The squared length of an axis vanishes: there is no such mechanism."""
-        free, label = next(self._postures.on(Way())), node.axis
-        if label not in self._matrix.twists(free):
+        """An axis has no length, or each of its coordinates is 0: no mechanism."""
+        free, label = self._matrix.twists(next(self._postures.on(Way()))), node.axis
+        if label not in free:
             raise RefusedError(f"there is no freedom {label!r}")
-        turning = any(x != 0 for x in self._matrix.twists(free)[label][:3])
+        turning = any(x != 0 for x in free[label][:3])
         place = slice(0, 3) if turning else slice(3, 6)
+        multiples = {multiple.equation: multiple for multiple in node.multiples}
         for point in self._postures.several(way):
-            square = sum(
-                (x * x for x in self._matrix.twists(point)[label][place]), point.zero
-            )
-            if not self._follows(square, next(iter(node.multiples), None), way, point):
+            direction = self._matrix.twists(point)[label][place]
+            square = sum((x * x for x in direction), point.zero)
+            if not self._follows(square, multiples.get(0), way, point) and not all(
+                self._follows(x, multiples.get(k), way, point)
+                for k, x in enumerate(direction)
+            ):
                 raise RefusedError(f"the axis of {label} has a direction on it")
 
     def _impossible(self, node: Node, way: Way) -> None:

@@ -44,6 +44,7 @@ class Problem:
         moving: Whether a posture counts where the platform moves, not where the rank
             of the matrix falls.
         axes: By freedom: the square of its axis, where that is not constant.
+        directions: By freedom: the coordinates of its axis.
         least: Where a posture counts that allows a limb less than this many freedoms;
             −1 elsewhere.
     """
@@ -55,6 +56,7 @@ class Problem:
     library: FactorLibrary
     signs: Signs
     axes: dict[str, Polynomial]
+    directions: dict[str, tuple[Polynomial, ...]]
     least: int = -1
 
     @property
@@ -108,7 +110,9 @@ class Conditions:
             for left_out in combinations(branch.pending, size):
                 kept = tuple(p for p in branch.pending if p not in left_out)
                 try:
-                    found = roots_of(branch.ring, [p.value for p in kept])
+                    found = roots_of(
+                        branch.ring, [p.value for p in kept], branch.nonzero
+                    )
                 except NotProvedError:
                     continue
                 fewer = replace(branch, pending=kept)

@@ -28,7 +28,12 @@ from screwkit.certificates.steps import (
     numbers_of,
     written_step,
 )
-from screwkit.certificates.sums import Sum, implied_equation, solvable_sum
+from screwkit.certificates.sums import (
+    Sum,
+    determinant_sum,
+    implied_equation,
+    solvable_sum,
+)
 from screwkit.certificates.texts import read
 from screwkit.certificates.whole_equations import with_whole_equations
 
@@ -84,6 +89,7 @@ class ProofSearch(Conditions):
         found = (
             self.split_condition(place, number)
             or self.of_a_sum(place, number, solvable_sum(self, place))
+            or self.of_a_sum(place, number, determinant_sum(self, place))
             or self.special(place, number)
             or self.of_a_sum(place, number, implied_equation(self, place))
             or self.by_minor(place, number)
@@ -102,6 +108,8 @@ class ProofSearch(Conditions):
         branch = place.branch
         for label, square in self.problem.axes.items():
             multiples = self.multiples(place, [square])
+            if multiples is None:
+                multiples = self.multiples(place, self.problem.directions[label])
             if multiples is not None:
                 return Node(number, axis=label, multiples=multiples)
         for k, equations in enumerate(self.problem.components):

@@ -8,6 +8,7 @@ is said.
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 from itertools import islice
 
 from screwkit.algebra.all_roots import NoResidueError
@@ -29,6 +30,7 @@ class GeneralClaims:
         matrix: Of the part.
         sheets: Of conditions.
         dimensions: Symbols that tell one mechanism from another.
+        nonzero: Symbols that are not 0.
     """
 
     def __init__(
@@ -37,9 +39,11 @@ class GeneralClaims:
         matrix: ScrewMatrix | GraphMatrix,
         sheets: Sheets,
         dimensions: Collection[str],
+        nonzero: Collection[str],
     ) -> None:
         self._postures, self._matrix, self._sheets = postures, matrix, sheets
         self._part = postures.part
+        self._nonzero = sorted({*nonzero} & {*postures.symbols})
         self._names = sorted({*dimensions} & {*postures.symbols})
         self._ranks: dict[tuple[Way, str | None], list[tuple[int, ...]]] = {}
         self.sampled: dict[tuple[str, ...], None] = {}
@@ -121,17 +125,28 @@ class GeneralClaims:
         if not self._names:
             raise RefusedError("there are no dimensions that could be special")
         active = self._sheets.active(way)
-        if len(active) < 2:
-            text = active[0] if active else None
-            try:
-                self._sheets.on(way, text, lambda point, _: self._tied(point, way))
-            except NoResidueError:
-                pass
-            else:
+        # What is tied where one condition holds is tied where more do.
+        for text in active or (None,):
+            wider = replace(way, conditions=() if text is None else (text,))
+            if self._are_tied(wider, text, alone=len(active) < 2):
                 return
-        for point, _ in islice(self._postures.meeting(way, node.roots), POINTS):
+        for point, there in islice(self._postures.meeting(way, node.roots), POINTS):
+            if any(there.symbol(name) == 0 for name in self._nonzero):
+                raise RefusedError("a length that is not 0 vanishes on it")
             self._tied(point, way)
         self.sampled[active] = None
+
+    def _are_tied(self, way: Way, text: str | None, *, alone: bool) -> bool:
+        """Whether the dimensions are tied on all sheets of a condition."""
+        try:
+            self._sheets.on(way, text, lambda point, _: self._tied(point, way))
+        except NoResidueError:
+            return False
+        except RefusedError:
+            if alone:
+                raise
+            return False
+        return True
 
     def _tied(self, point: PointRing, way: Way) -> None:
         count = len(self._names)

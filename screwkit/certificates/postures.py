@@ -43,7 +43,7 @@ from screwkit.certificates.texts import (
 from screwkit.kinematics.placement import joint_twists
 from screwkit.mechanism.model import Mechanism
 
-POINTS = 3
+POINTS = 2
 """Postures at which an identity is compared."""
 
 CHOICES = 6
@@ -243,18 +243,30 @@ class Postures:
                 point = self._stepped(point, step)
         return point
 
+    def excluded(self, way: Way) -> bool:
+        """Whether a divisor of a way, which is 0 nowhere there, is 0 all over it."""
+        for _ in range(POINTS):
+            point, after = self._drawn(), Way()
+            for step in reversed(way.steps):
+                if self.moved(point, after).value(read(step.over)) == 0:
+                    break
+                after = Way((step, *after.steps))
+            else:
+                return False
+        return True
+
     def _stepped(self, point: PointRing, step: Step) -> PointRing:
-        over = point.value(read(step.over))
-        if over == 0:
+        over = None if step.over == "1" else point.value(read(step.over))
+        if over is not None and over == 0:
             raise ResampleError
+
+        def value(text: str) -> Any:
+            above = point.value(read(text))
+            return above if over is None else above / over
+
         if step.kind == "symbol":
-            value = point.value(read(step.value)) / over
-            return point.changed(numbers={step.symbol: value})
-        turn = (
-            point.value(read(step.cosine)) / over,
-            point.value(read(step.sine)) / over,
-        )
-        return point.changed(step.angle, turn)
+            return point.changed(numbers={step.symbol: value(step.value)})
+        return point.changed(step.angle, (value(step.cosine), value(step.sine)))
 
     def _numbers_turn(
         self, point: PointRing, numbers: Sequence[str], second: int

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import combinations
 
-from screwkit.algebra.linear_systems import linear_systems
+from screwkit.algebra.linear_systems import has_solutions, linear_systems
 from screwkit.algebra.points_on import Unknown, degree_in, unknowns
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
@@ -18,9 +18,20 @@ class NotProvedError(Exception):
 
 
 def roots_of(
-    ring: TrigonometricRing, conditions: Sequence[Polynomial]
+    ring: TrigonometricRing,
+    conditions: Sequence[Polynomial],
+    nonzero: Collection[int] = (),
 ) -> tuple[Unsolved, ...]:
-    """Conditions in an order in which each has an unknown that the earlier lack."""
+    """Conditions in an order in which each has an unknown that the earlier lack.
+
+    Args:
+        ring: Of the conditions.
+        conditions: What is to be met.
+        nonzero: Indices of generators that are not 0.
+
+    Raises:
+        NotProvedError: If there is no such order.
+    """
     left, found = list(conditions), list[Unsolved]()
     while left:
         for position, condition in enumerate(left):
@@ -31,13 +42,15 @@ def roots_of(
                 found.append(_unsolved(ring, left.pop(position), own[0]))
                 break
         else:
-            found.append(_together(ring, left) or _pair(ring, left))
+            found.append(_together(ring, left, nonzero) or _pair(ring, left))
     return tuple(reversed(found))
 
 
-def _together(ring: TrigonometricRing, left: list[Polynomial]) -> Unsolved | None:
+def _together(
+    ring: TrigonometricRing, left: list[Polynomial], nonzero: Collection[int]
+) -> Unsolved | None:
     """Conditions linear in as many symbols, which the others lack; taken out."""
-    systems = linear_systems(ring, left)
+    systems = [s for s in linear_systems(ring, left) if has_solutions(left, s, nonzero)]
     if not systems:
         return None
     conditions, symbols = systems[0].conditions, systems[0].symbols

@@ -49,6 +49,21 @@ class Solutions:
         else:
             raise RefusedError("a case is not solved by any rule")
 
+    def satisfied(self, step: Step, point: PointRing) -> bool:
+        """Whether a posture has the values that a step gives."""
+        if step.kind == "symbol":
+            left = point.value(read(step.over)) * point.symbol(step.symbol)
+            return bool(left == point.value(read(step.value)))
+        cosine, sine = point.turns[step.angle]
+        if step.kind == "numbers":
+            a, b, c = (point.rational(fraction(text)) for text in step.numbers)
+            return bool(a * sine + b * cosine + c == 0)
+        over = point.value(read(step.over))
+        return bool(
+            over * cosine == point.value(read(step.cosine))
+            and over * sine == point.value(read(step.sine))
+        )
+
     def _linear(
         self, equation: Expression, angle: int, point: PointRing, way: Way
     ) -> tuple[Any, Any, Any]:
@@ -64,7 +79,7 @@ class Solutions:
             turned = point.changed(angle, turn)
             return self._postures.moved(turned, way).value(equation)
 
-        turns = [self._postures.turn() for _ in range(5)]
+        turns = [self._postures.turn() for _ in range(4)]
         rows = [(sine, cosine, point.one) for cosine, sine in turns]
         values = [at(turn) for turn in turns]
         p, q, r = linear_solution(rows[:3], values[:3], self._postures.prime)
@@ -193,6 +208,8 @@ class Solutions:
                 raise RefusedError(f"{step.value} may vanish together with {step.over}")
             sheet = replace(solved, value="")
             there = replace(way, steps=(*way.steps, sheet))
+            if self._postures.excluded(there):
+                continue
             for point in self._postures.several(there):
                 if point.value(read(step.value)) != point.value(value):
                     raise RefusedError(f"{step.value} has another value there")

@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from itertools import chain
 
 from screwkit.algebra.factors import Factor
+from screwkit.algebra.linear_systems import has_solutions, linear_systems
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import text
+from screwkit.algebra.substitution import linear_parts
 from screwkit.algebra.sums_of_conditions import (
     Combination,
     equal_leads,
@@ -68,6 +70,34 @@ def implied_equation(known: Conditions, place: Place) -> Sum | None:
         found = made_a_sum(branch.ring, equation, values, _is_free(known, place))
         if found is not None:
             factors = known.factors(branch, found.value)
+            return Sum(_terms(place, numbers, found), tuple(factors))
+    return None
+
+
+def determinant_sum(known: Conditions, place: Place) -> Sum | None:
+    """The determinant of two conditions that are linear in two symbols and homogeneous.
+
+    It vanishes where one of the symbols is not 0.
+    """
+    branch = place.branch
+    ring, values = branch.ring, [pending.value for pending in branch.pending]
+    held = {str(primitive(value)) for value in values}
+    if len(values) < 2:
+        return None
+    for system in linear_systems(ring, values):
+        if len(system.symbols) > 2 or has_solutions(values, system, branch.nonzero):
+            continue
+        one, two = system.conditions
+        kept = next(i for i in system.symbols if i in branch.nonzero)
+        (other,) = {*system.symbols} - {kept}
+        times = [ring.zero for _ in values]
+        times[one] = linear_parts(ring, values[two], other)[0]
+        times[two] = -linear_parts(ring, values[one], other)[0]
+        total = ring.normal(times[one] * values[one] + times[two] * values[two])
+        factors = known.factors(branch, total)
+        if not any(str(primitive(f.equations[0])) in held for f, _ in factors):
+            numbers = [place.number(pending) for pending in branch.pending]
+            found = Combination(total, tuple(times))
             return Sum(_terms(place, numbers, found), tuple(factors))
     return None
 

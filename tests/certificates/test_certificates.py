@@ -104,6 +104,13 @@ def test_what_a_certificate_leaves_out_is_named(tmp_path: Path) -> None:
     assert "every list is complete" not in str(found)
 
 
+def test_a_mechanism_without_limbs_has_nothing_to_prove() -> None:
+    check(from_text(certificate("lone_body")), screwkit.load("lone_body").mechanism, 1)
+    nothing = from_text(certificate("lone_body"))
+    with pytest.raises(RefusedError, match="claims nothing"):
+        check(nothing, screwkit.load("3rpr_planar").mechanism, 1)
+
+
 def test_reading_gives_back_what_was_written() -> None:
     text = certificate("agile_eye")
     assert to_text(from_text(text)) == text

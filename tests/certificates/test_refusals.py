@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from dataclasses import replace
 
 import pytest
@@ -14,6 +15,9 @@ from certificates.forged import (
     three_joints,
 )
 
+from screwkit.case import load_text
+from screwkit.certificates.general_claims import GeneralClaims
+from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import (
     Case,
     Locus,
@@ -22,7 +26,10 @@ from screwkit.certificates.records import (
     Reach,
     Sheet,
     Step,
+    Unsolved,
 )
+from screwkit.certificates.screw_matrix import ScrewMatrix
+from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.texts import RefusedError
 
 
@@ -96,6 +103,32 @@ def test_numbers_for_an_angle_leave_no_factor_out(number: str) -> None:
     )
     with pytest.raises(RefusedError, match="factor besides"):
         judged(mechanism, forged)
+
+
+def test_lengths_that_are_not_zero_do_not_vanish_at_postures() -> None:
+    """Two equations homogeneous in the lengths b, c > 0 are not met by b = c = 0.
+
+    That would tie the lengths; where the determinant x² − 1 vanishes they are free.
+    """
+    first, second = "b*x - c", "b - c*x"
+    mechanism = three_joints(
+        "parameters: {b: {value: 1, positive: true}, c: {value: 1, positive: true}}\n"
+        "variables: {q: {value: 0.3, angle: true}, x: 1}",
+        f"[0, {first}]",
+        f"[{second}, cos(q)]",
+    )
+    # The determinant of points 0, (0, b·x − c), (b − c·x, cos q).
+    roots = (Unsolved(first, symbol="b", together=(Unsolved(second, symbol="c"),)),)
+    postures = Postures(load_text(mechanism).mechanism, limb(), random.Random(2))
+    claims = GeneralClaims(
+        postures,
+        ScrewMatrix(postures),
+        Sheets(postures, random.Random(3)),
+        ("b", "c"),
+        ("b", "c"),
+    )
+    with pytest.raises(RefusedError, match="not 0 vanishes"):
+        claims.special(Node(2, special=True, roots=roots), Way((), (first, second)))
 
 
 def test_zero_is_no_equation_of_dimensions() -> None:

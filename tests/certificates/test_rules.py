@@ -7,8 +7,12 @@ from itertools import islice
 
 import pytest
 
+from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.branches import Branch, Pending
 from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.linear_systems import has_solutions, linear_systems
 from screwkit.algebra.parse import parse
+from screwkit.algebra.points import residue
 from screwkit.algebra.sums_of_conditions import (
     Combination,
     equal_leads,
@@ -18,8 +22,18 @@ from screwkit.algebra.sums_of_conditions import (
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.case import load_text
+from screwkit.certificates.checking import _PartCheck
 from screwkit.certificates.postures import Postures, Way
-from screwkit.certificates.records import Case, Part, Step, Unsolved
+from screwkit.certificates.records import (
+    Case,
+    Locus,
+    Multiple,
+    Node,
+    Part,
+    Reach,
+    Step,
+    Unsolved,
+)
 from screwkit.certificates.roots import roots_of
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.solutions import Solutions
@@ -160,3 +174,88 @@ def test_false_claims_about_an_angle_in_numbers_are_refused(
 ) -> None:
     with pytest.raises(RefusedError):
         Solutions(arm(), Signs(set(), set())).elsewhere(case, way)
+
+
+def test_homogeneous_equations_are_not_met_by_lengths_that_vanish() -> None:
+    """Of b·u = c·v and b·v = c·w only b = c = 0 is left unless u·w = v²."""
+    ring, conditions = polynomials("b*u - c*v", "b*v - c*w")
+    places = places_of(ring)
+    nonzero = (places["b"], places["c"])
+    found = linear_systems(ring, conditions)
+    of_lengths = next(own for own in found if {*own.symbols} == {*nonzero})
+    assert has_solutions(conditions, of_lengths, ())
+    assert not has_solutions(conditions, of_lengths, nonzero)
+    ring, other = polynomials("b*u - c*v", "b*v - c*w - 1")
+    places = places_of(ring)
+    nonzero = (places["b"], places["c"])
+    assert all(has_solutions(other, s, nonzero) for s in linear_systems(ring, other))
+    # Points of a branch on which they hold have lengths that are not 0.
+    ring, conditions = polynomials("b*u - c*v", "b*v - c*w")
+    branch = Branch(
+        ring,
+        assumptions=Assumptions(frozenset({"b", "c"})),
+        pending=tuple(Pending(own, own) for own in conditions),
+        thorough=True,
+    )
+    assert branch.points
+    for point, prime in branch.points:
+        assert all(residue(own, point, prime) == 0 for own in conditions)
+        assert all(point[places_of(ring)[name]] for name in ("b", "c"))
+
+
+def places_of(ring: TrigonometricRing) -> dict[str, int]:
+    return dict(zip(ring.symbols, ring.symbol_indices(), strict=True))
+
+
+AXES = """
+screwkit: 1
+name: axes
+base: ground
+platform: tip
+links: [ground, arm, tip]
+geometry: posture
+variables: {x: 1, y: 2}
+joints:
+  - {name: "1", type: revolute, parent: ground, child: arm, axis: [x, y, 0],
+     point: [0, 0, 0]}
+  - {name: "2", type: revolute, parent: arm, child: tip, axis: [0, 0, 1],
+     point: [0, 0, 1]}
+"""
+
+
+def test_an_axis_ends_where_each_of_its_coordinates_does() -> None:
+    """Two conditions x = 0 and y = 0 leave the axis (x, y, 0) without direction."""
+
+    def examined(*multiples: Multiple) -> None:
+        leaf = Node(2, axis="1", multiples=multiples)
+        inner = Node(1, condition=1, cases=(Case(("y",), 1, kept=leaf),))
+        locus = Locus(
+            ("x", "y"),
+            1,
+            -1,
+            (Reach((Step("symbol", symbol="x", value="0"),)),),
+            Node(0, condition=0, cases=(Case(("x",), 1, kept=inner),)),
+        )
+        checker = _PartCheck(
+            load_text(AXES).mechanism,
+            Part("limb", "ground", (), 2, (locus,), limb="limb_1"),
+            random.Random(1),
+        )
+        checker._cover(locus)
+
+    examined(Multiple(0, 0, "1", {}), Multiple(1, 1, "1", {}))
+    for wrong in (
+        (Multiple(0, 0, "1", {}),),
+        (Multiple(0, 1, "1", {}), Multiple(1, 0, "1", {})),
+    ):
+        with pytest.raises(RefusedError, match="direction"):
+            examined(*wrong)
+
+
+def test_where_a_divisor_vanishes_there_is_no_posture() -> None:
+    """Of x = z/y nothing is left where y = 0, and all where z = 0."""
+    step = Step("symbol", symbol="x", value="z", over="y")
+    for symbol, excluded in (("y", True), ("z", False)):
+        there = Way((step, Step("symbol", symbol=symbol, value="0")))
+        assert arm().excluded(there) is excluded
+    assert not arm().excluded(Way((step,)))

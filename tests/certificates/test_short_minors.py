@@ -149,7 +149,7 @@ def conditions(text: str) -> tuple[Conditions, Place, Polynomial]:
     value = ring.normal(evaluate(parse(text), ring))
     matrix = LoopEquations((), {}, {}, asks_held=False)
     problem = Problem(
-        branch, matrix, ((value,),), False, FactorLibrary(ring), Signs((), ()), {}
+        branch, matrix, ((value,),), False, FactorLibrary(ring), Signs((), ()), {}, {}
     )
     return Conditions(problem), Place(branch), value
 
