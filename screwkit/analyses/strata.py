@@ -27,12 +27,12 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.errors import ExpressionError
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.canonical import in_known_conditions
+from screwkit.loci.dependence import dependent_zeros
 from screwkit.loci.meetings import Meeting, Meetings, is_inside, recovered, same_set
 from screwkit.loci.pieces import Piece
 from screwkit.loci.platform_state import PlatformStates
 from screwkit.loci.rank_drop import Column, rank_drop
 from screwkit.loci.wording import equations_of, solved_equations
-from screwkit.loci.wrench_sums import dependent_zeros
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import Component, Singularities
 from screwkit.results.strata import (
