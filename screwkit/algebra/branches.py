@@ -28,7 +28,6 @@ from screwkit.algebra.points import (
 from screwkit.algebra.points_on import moved_onto, root_in
 from screwkit.algebra.substitution import (
     Substitution,
-    linear_parts,
     reduced,
     substituted,
 )
@@ -42,10 +41,14 @@ class Pending:
     Attributes:
         condition: As it was imposed.
         value: What the steps after it have made of it; irreducible on the branch.
+        companions: Further equations of a condition in half angles, as imposed.
+        beside: What the steps have made of these; they vanish on the branch too.
     """
 
     condition: Polynomial
     value: Polynomial
+    companions: tuple[Polynomial, ...] = ()
+    beside: tuple[Polynomial, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -104,6 +107,9 @@ class Branch:
                 sharper[str(step.condition)] = (step.sheet,)
             elif step.companions:
                 sharper[str(step.condition)] = (step.condition, *step.companions)
+        for pending in self.pending:
+            own = (pending.condition, *pending.companions)
+            sharper[str(pending.condition)] = own
         found = [
             equation
             for condition in self.conditions
@@ -246,6 +252,7 @@ class Branch:
         found = with_extensions(self.ring, point, prime)
         # A step may have moved what stands under a root.
         checked = [*values, *(self.conditions if self.ring.radicands else ())]
+        checked += [value for p in self.pending for value in p.beside]
         if found is None or any(residue(value, found, prime) for value in checked):
             return None
         # Where a length that is not 0 vanishes there is no posture.
@@ -306,12 +313,15 @@ def restricted(
             replace(
                 branch,
                 conditions=conditions,
-                pending=(*branch.pending, Pending(condition, condition)),
+                pending=(
+                    *branch.pending,
+                    Pending(condition, condition, companions, companions),
+                ),
             )
         ]
     found = []
     for step in steps:
-        pending = _still_pending(branch, step)
+        pending = still_pending(branch, step)
         if pending is None or _contradicts(branch, step):
             continue
         whole = replace(step, condition=condition, companions=companions)
@@ -333,61 +343,25 @@ def _contradicts(branch: Branch, step: Substitution) -> bool:
     return any(value.is_constant() and value != 0 for value in left)
 
 
-def _still_pending(branch: Branch, step: Substitution) -> tuple[Pending, ...] | None:
+def still_pending(branch: Branch, step: Substitution) -> tuple[Pending, ...] | None:
     """The pending conditions after a step; None where one cannot hold any more."""
     left = []
     for pending in branch.pending:
-        after = substituted(branch.ring, [pending.value], step)
-        value = reduced(after, branch.steps)[0]
-        if value == 0:
-            continue
-        if branch.assumptions.is_nonzero(branch.ring, value):
+        values = [pending.value, *pending.beside]
+        after = [substituted(branch.ring, [v], step)[0] for v in values]
+        value, *beside = reduced(after, branch.steps)
+        if any(
+            v != 0 and branch.assumptions.is_nonzero(branch.ring, v)
+            for v in (value, *beside)
+        ):
             return None
-        left.append(Pending(pending.condition, value))
+        if value == 0:
+            beside = [v for v in beside if v != 0]
+            if not beside:
+                continue
+            value = beside.pop(0)
+        left.append(replace(pending, value=value, beside=tuple(beside)))
     return tuple(left)
-
-
-@dataclass(frozen=True)
-class Split:
-    """A condition A·x + B = 0 solved for x where A ≠ 0, and what that leaves out.
-
-    Attributes:
-        solved: The part on which A is nowhere zero.
-        left: A and B, which both vanish on the rest.
-    """
-
-    solved: Branch
-    left: tuple[Polynomial, Polynomial]
-
-
-def split(branch: Branch, condition: Polynomial) -> Split | None:
-    """Solve a condition for the symbol with the shortest coefficient, if there is one.
-
-    Unlike `restricted` this leaves a rest, which the caller has to search as well.
-    """
-    ring = branch.ring
-    degrees = condition.degrees()
-    best: tuple[int, int] | None = None
-    for index in ring.symbol_indices():
-        if degrees[index] == 1:
-            size = len(linear_parts(ring, condition, index)[0])
-            if best is None or size < best[0]:
-                best = size, index
-    if best is None:
-        return None
-    factor, rest = linear_parts(ring, condition, best[1])
-    image = best[1], -rest
-    step = Substitution((image,), factor, condition=condition, partial=True)
-    pending = _still_pending(branch, step)
-    if pending is None:
-        return None
-    solved = replace(
-        branch,
-        conditions=(*branch.conditions, condition),
-        steps=(*branch.steps, step),
-        pending=pending,
-    )
-    return Split(solved, (factor, rest))
 
 
 def is_solvable(branch: Branch, condition: Polynomial) -> bool:

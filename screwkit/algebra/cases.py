@@ -25,6 +25,7 @@ _POSSIBLE: WeakKeyDictionary[
 ] = WeakKeyDictionary()
 
 _TRIED = 10  # polynomials that are factored to choose the next case split
+_ALONE = 2_000  # terms of the shortest one, which is factored before all is left open
 
 
 def shortest_choice(
@@ -42,7 +43,7 @@ def shortest_choice(
     excluded = _factor_keys(branch, nonzero, library, largest)
     best: list[Factor] | None = None
     for polynomial in _with_resolvents(branch, polynomials)[:_TRIED]:
-        if len(polynomial) > largest:
+        if len(polynomial) > (largest if best is not None else max(largest, _ALONE)):
             break
         cases = possible_factors(branch, polynomial, library)
         cases = [f for f in cases if f.key not in excluded]

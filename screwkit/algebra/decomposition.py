@@ -16,10 +16,8 @@ from dataclasses import replace
 
 from screwkit.algebra.branches import (
     Branch,
-    Split,
     is_solvable,
     restricted,
-    split,
     without,
 )
 from screwkit.algebra.cases import (
@@ -37,9 +35,16 @@ from screwkit.algebra.nowhere_zero import (
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import coefficients_in, unknowns
 from screwkit.algebra.real_zeros import vanishing_together
-from screwkit.algebra.search import Decomposition, Search, parts_where, refined
-from screwkit.algebra.substitution import Substitution
-from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.algebra.search import (
+    Decomposition,
+    Search,
+    changed_halves,
+    refined,
+    replace_steps,
+    still_open,
+)
+from screwkit.algebra.splitting import split, split_half_angle
+from screwkit.algebra.trigonometric import Polynomial
 
 _TERMS_PER_CASE = 80  # longer polynomials use up more of the budget
 _SETTLING = 60  # case distinctions to tell a branch from spurious zeros
@@ -54,9 +59,10 @@ def common_zeros(
         branch: The piece of the configuration space to search.
         polynomials: In normal form, in the generators left on the branch.
         search: Budget and known factors; pieces for which ``search.skip`` is true are
-            left out (they are contained in something the caller knows).
+            left out (they are contained in something the caller knows), as are the
+            zeros of ``search.away``.
     """
-    nonzero = branch.divisors
+    nonzero = [*branch.divisors, *map(branch.value, search.away)]
     ring = branch.ring
     shorter = [
         without_nowhere_zero(ring, [p], nonzero)[0] for p in polynomials if p != 0
@@ -75,6 +81,11 @@ def _descend(
     nonzero: list[Polynomial],
     search: Search,
 ) -> None:
+    changed = changed_halves(branch, search)
+    if changed is not None:
+        again = [p for p in (changed.value, *changed.beside) if p != 0]
+        _descend(without(branch, changed), [*again, *polynomials], nonzero, search)
+        return
     parts = refined(branch, search)
     if parts is not None:
         for part in parts:
@@ -87,10 +98,13 @@ def _descend(
     if branch.is_special:
         search.special.append(branch)
         return
+    if _is_too_deep(branch, search):
+        return
     if search.skip(branch):
+        _beside_what_is_skipped(branch, polynomials, nonzero, search)
         return
     polynomials = branch.without_roots(polynomials)
-    left = _still_open(branch, polynomials, search)
+    left = still_open(branch, polynomials, search)
     if left is None:
         if is_excluded(branch, nonzero):
             return
@@ -101,11 +115,13 @@ def _descend(
         if not loses_a_direction(branch):
             _settle(branch, polynomials, nonzero, search)
         return
+    if branch.codimension == search.deepest:
+        return
     if search.budget <= 0:
         search.unfinished.append(branch)
         return
     search.budget -= 1 + sum(map(len, left)) // _TERMS_PER_CASE
-    squares = _of_squares(branch, left)
+    squares = None if search.deepest is not None else _of_squares(branch, left)
     if squares is not None:
         if all(p != 1 for p in squares):
             _descend(branch, squares, nonzero, search)
@@ -116,7 +132,7 @@ def _descend(
         return
     excluded = list(nonzero)
     for case in choice:
-        terms = terms_of(branch, case)
+        terms = None if search.deepest is not None else terms_of(branch, case)
         if terms is not None:
             if all(t != 1 for t in terms):
                 _descend(branch, [*terms, *left], excluded, search)
@@ -130,6 +146,33 @@ def _descend(
             _descend(child, [on_child.value(p) for p in left], kept, search)
         if len(case.equations) == 1:
             excluded.append(case.equations[0])
+
+
+def _beside_what_is_skipped(
+    branch: Branch,
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> None:
+    """Go on with parts of a branch that its points do not show.
+
+    It is skipped for its points; where conditions are pending these lie on one part.
+    """
+    if len(branch.pending) < 2:
+        return
+    parts = other_parts(branch, search)
+    if parts is None:
+        search.unfinished.append(branch)
+        return
+    for part in parts:
+        on_part = replace_steps(part, part.steps[len(branch.steps) :])
+        kept = [on_part.value(p) for p in nonzero]
+        if all(p != 0 for p in kept):
+            _descend(part, [on_part.value(p) for p in polynomials], kept, search)
+
+
+def _is_too_deep(branch: Branch, search: Search) -> bool:
+    return search.deepest is not None and branch.codimension > search.deepest
 
 
 def _of_squares(
@@ -186,9 +229,10 @@ def _eliminated(
     before = branch
     for pending in branch.pending:
         before = without(before, pending)
-    again = [*(p.value for p in branch.pending), *polynomials]
+    again = [v for p in branch.pending for v in (p.value, *p.beside) if v != 0]
+    again += polynomials
     for case in choice:
-        terms = terms_of(branch, case)
+        terms = None if search.deepest is not None else terms_of(branch, case)
         if terms is not None:
             if all(t != 1 for t in terms):
                 _descend(before, [*terms, *again], list(nonzero), search)
@@ -298,61 +342,47 @@ def _children(
     """
     condition, companions = case.equations[0], case.equations[1:]
     if companions:
-        return parts_where(branch, case, search)
-    if branch.pending and not is_solvable(branch, condition):
+        whole = restricted(branch, condition, companions)
+        if not whole or len(whole[0].pending) <= len(branch.pending):
+            return whole
+        parts = None
+        if not branch.pending:
+            parts = split_half_angle(branch, condition, companions)
+        if parts is None:
+            return whole
+        _descend(branch, [*parts.left, *left], list(nonzero), search)
+        return [] if parts.solved is None else [parts.solved]
+    at_once = branch.pending or search.deepest is not None
+    if at_once and not is_solvable(branch, condition):
         parts = split(branch, condition)
         if parts is not None:
-            on_child = replace_steps(branch, parts.solved.steps[len(branch.steps) :])
-            remaining = [on_child.value(p) for p in left]
-            if _still_open(parts.solved, remaining, search) == []:
-                # Of the rest only a part as large is no limit of the solved one.
-                return [parts.solved, *_as_large(branch, parts, search)]
+            solved = parts.solved
+            if solved is not None:
+                on_child = replace_steps(branch, solved.steps[len(branch.steps) :])
+                remaining = [on_child.value(p) for p in left]
+                if still_open(solved, remaining, search) == []:
+                    # Of the rest only a part as large is no limit of the solved one.
+                    return [solved, *_as_large(branch, solved, parts.left, search)]
             _descend(branch, [*parts.left, *left], list(nonzero), search)
-            return [parts.solved]
+            return [] if solved is None else [solved]
     return restricted(branch, condition)
 
 
-def _as_large(branch: Branch, parts: Split, search: Search) -> list[Branch]:
+def _as_large(
+    branch: Branch, solved: Branch, left: Sequence[Polynomial], search: Search
+) -> list[Branch]:
     """Parts of the rest that are no limits of the solved part: those of its size."""
-    size = parts.solved.codimension
-    inner = _settling(parts.solved, search)
-    rest = common_zeros(replace(branch, thorough=True), parts.left, inner)
+    size = solved.codimension
+    inner = _settling(solved, search)
+    rest = common_zeros(replace(branch, thorough=True), left, inner)
     found = [b for b in rest.branches if b.codimension <= size]
     for b in rest.open:
-        if b.codimension > size:
+        if b.codimension > size or search.skip(b):
             continue
-        whole = b.points and not any(
-            residue(p, *at) for at in b.points for p in parts.left
-        )
+        whole = b.points and not any(residue(p, *at) for at in b.points for p in left)
         # With several pending conditions it may consist of parts, some of them zeros.
         if b.codimension == size and whole:
             found.append(b)
         elif b.codimension < size or not b.points or len(b.pending) > 1:
             search.unfinished.append(b)
     return found
-
-
-def replace_steps(branch: Branch, steps: Sequence[Substitution]) -> Branch:
-    """A branch that applies only these of the steps."""
-    return replace(branch, conditions=(), steps=tuple(steps), pending=())
-
-
-def _still_open(
-    branch: Branch, polynomials: Sequence[Polynomial], search: Search
-) -> list[Polynomial] | None:
-    """The polynomials that do not vanish on all of the branch, shortest first.
-
-    None where a pending condition admits no exact point, so that it cannot be told.
-    """
-    left = {str(q): q for p in polynomials if p != 0 for q in (primitive(p),)}
-    if branch.pending and left:
-        another = branch.points and branch.point(search.source)
-        if not another:
-            return None
-        points = [*branch.points, another]
-        left = {
-            key: p
-            for key, p in left.items()
-            if any(residue(p, *point) for point in points)
-        }
-    return sorted(left.values(), key=len)

@@ -86,22 +86,36 @@ def half_angle_steps(
     companions: Sequence[Polynomial],
 ) -> Steps | None:
     """Two linear equations in the sine and cosine of one angle: one sheet."""
+    for step in half_angle_solutions(ring, condition, companions):
+        if assumptions.is_nonzero(ring, step.divisor):
+            return [step]
+    return None
+
+
+def half_angle_solutions(
+    ring: TrigonometricRing, condition: Polynomial, companions: Sequence[Polynomial]
+) -> Steps:
+    """Solutions of such equations where the divisor is not zero, by angle."""
+    found: Steps = []
     for angle in range(len(ring.basis)):
-        rows = [angle_parts(ring, e, angle) for e in (condition, *companions)]
-        found = [row for row in rows if row is not None]
-        if len(found) != 2 or len(found) != len(rows):
+        rows = [
+            row
+            for e in (condition, *companions)
+            if (row := angle_parts(ring, e, angle)) is not None
+        ]
+        if len(rows) != 2 or len(companions) != 1:
             continue
-        (p, q, r), (u, v, w) = found
+        (p, q, r), (u, v, w) = rows
         divisor = ring.normal(p * v - q * u)
-        if divisor == 0 or not assumptions.is_nonzero(ring, divisor):
+        if divisor == 0:
             continue
         sine = ring.normal(q * w - r * v)
         cosine = ring.normal(r * u - p * w)
         if ring.normal(sine * sine + cosine * cosine - divisor * divisor) != 0:
             continue
         images = ((ring.sine_index(angle), sine), (ring.cosine_index(angle), cosine))
-        return [Substitution(images, divisor)]
-    return None
+        found.append(Substitution(images, divisor))
+    return found
 
 
 def _constant_angle_steps(

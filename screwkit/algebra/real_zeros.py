@@ -1,8 +1,9 @@
-"""Real zeros of sums of squares, and of 1 − cos p·cos q: smaller than they look.
+"""Real zeros of sums of squares and the like: smaller than they look.
 
 A polynomial whose terms all have one sign is zero only where all of them are.  Which
 terms a trigonometric polynomial has depends on how 1 = s² + c² is used, so it is made
-homogeneous in the angles too.
+homogeneous in the angles too.  1 − cos p·cos q is another such polynomial, and
+a·sin φ + b·cos φ + e where e² − a² − b² is a square.
 """
 
 from __future__ import annotations
@@ -11,7 +12,9 @@ from typing import Any
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.remembered import remembered
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.algebra.solved_text import root_of_square
+from screwkit.algebra.substitution import angle_parts
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
 TERMS = 40
 """Of a polynomial that is looked at."""
@@ -39,7 +42,29 @@ def vanishing_together(
     for written in (polynomial, _homogeneous(ring, polynomial)):
         if len(written) > 1 and assumptions.has_one_sign(ring, written):
             return [_radical(ring, m) for m in _monomials(ring, written)]
-    return _extremal(ring, polynomial)
+    return _extremal(ring, polynomial) or _touching(ring, polynomial)
+
+
+def _touching(
+    ring: TrigonometricRing, polynomial: Polynomial
+) -> list[Polynomial] | None:
+    """Of a·sin φ + b·cos φ + e with e² − a² − b² a square: this, and the polynomial.
+
+    A real angle needs e² ≤ a² + b².
+    """
+    for angle in range(len(ring.basis)):
+        parts = angle_parts(ring, polynomial, angle)
+        if parts is None or parts[2] == 0:
+            continue
+        a, b, e = parts
+        beyond = ring.normal(e * e - a * a - b * b)
+        if beyond == 0:
+            continue
+        shape = primitive(beyond)
+        root = root_of_square(shape) if beyond.coeffs()[0] > 0 else None
+        if root is not None and shape.coeffs()[0] > 0:
+            return [ring.one] if root.is_constant() else [root, polynomial]
+    return None
 
 
 def _extremal(

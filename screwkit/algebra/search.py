@@ -3,12 +3,20 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 
-from screwkit.algebra.branches import Branch, is_solvable, restricted, without
+from screwkit.algebra.branches import (
+    Branch,
+    Pending,
+    is_solvable,
+    restricted,
+    without,
+)
 from screwkit.algebra.cases import possible_factors
-from screwkit.algebra.factors import Factor, FactorLibrary
+from screwkit.algebra.factors import FactorLibrary
+from screwkit.algebra.points import residue
+from screwkit.algebra.substitution import Substitution
 from screwkit.algebra.trigonometric import Polynomial, primitive
 
 
@@ -37,6 +45,10 @@ class Search:
     """One decomposition under way: its budget, and the factors met so far.
 
     With ``every_part`` all parts are wanted, those too that are no parts of the locus.
+    Zeros of ``away``, in the generators of the whole ring, are not looked for: they
+    are known, and what is asked is divided by them.  With ``deepest`` parts of larger
+    codimension are left out: where as many equations are asked, they are no parts of
+    their own (Krull), as long as zeros are not replaced by their real ones.
     """
 
     library: FactorLibrary
@@ -49,10 +61,18 @@ class Search:
     special: list[Branch] = field(default_factory=list)
     problem: tuple[Polynomial, ...] = ()
     every_part: bool = False
+    away: tuple[Polynomial, ...] = ()
+    deepest: int | None = None
 
 
 def irreducible_parts(branch: Branch, search: Search) -> list[Branch]:
-    """The branch split until all its pending conditions are irreducible on it."""
+    """The branch split until all its pending conditions are irreducible on it.
+
+    Left open where conditions in half angles would have to be imposed again.
+    """
+    if changed_halves(branch, search) is not None:
+        search.unfinished.append(branch)
+        return []
     parts = refined(branch, search)
     if parts is None:
         return [branch]
@@ -67,6 +87,8 @@ def refined(branch: Branch, search: Search) -> list[Branch] | None:
     for pending in branch.pending:
         if len(pending.value) > search.largest:
             continue
+        if pending.companions:
+            continue
         cases = possible_factors(branch, pending.value, search.library)
         same = len(cases) == 1 and str(cases[0].equations[0]) in (
             str(pending.value),
@@ -75,20 +97,52 @@ def refined(branch: Branch, search: Search) -> list[Branch] | None:
         if same and not is_solvable(branch, cases[0].equations[0]):
             continue
         before = without(branch, pending)
-        return [part for case in cases for part in parts_where(before, case, search)]
+        return [
+            part
+            for case in cases
+            for part in restricted(before, case.equations[0], case.equations[1:])
+        ]
     return None
 
 
-def parts_where(branch: Branch, case: Factor, search: Search) -> list[Branch]:
-    """The parts of a branch on which a factor vanishes.
+def changed_halves(branch: Branch, search: Search) -> Pending | None:
+    """A pending condition in half angles that is no longer one factor.
 
-    A half-angle factor that cannot be solved has no single equation to go on with; it
-    is left open.
+    Its equations then have to be imposed again: only together do they say what it was.
     """
-    parts = restricted(branch, case.equations[0], case.equations[1:])
-    if len(case.equations) == 1 or not parts:
-        return parts
-    if len(parts[0].pending) > len(branch.pending):
-        search.unfinished.extend(parts)
-        return []
-    return parts
+    for pending in branch.pending:
+        if not pending.companions or pending.value == pending.condition:
+            continue
+        if len(pending.value) > search.largest:
+            continue
+        own = {str(primitive(p)) for p in (pending.value, *pending.beside) if p != 0}
+        cases = possible_factors(branch, pending.value, search.library)
+        if not any({str(primitive(e)) for e in f.equations} == own for f in cases):
+            return pending
+    return None
+
+
+def replace_steps(branch: Branch, steps: Sequence[Substitution]) -> Branch:
+    """A branch that applies only these of the steps."""
+    return replace(branch, conditions=(), steps=tuple(steps), pending=())
+
+
+def still_open(
+    branch: Branch, polynomials: Sequence[Polynomial], search: Search
+) -> list[Polynomial] | None:
+    """The polynomials that do not vanish on all of the branch, shortest first.
+
+    None where a pending condition admits no exact point, so that it cannot be told.
+    """
+    left = {str(q): q for p in polynomials if p != 0 for q in (primitive(p),)}
+    if branch.pending and left:
+        another = branch.points and branch.point(search.source)
+        if not another:
+            return None
+        points = [*branch.points, another]
+        left = {
+            key: p
+            for key, p in left.items()
+            if any(residue(p, *point) for point in points)
+        }
+    return sorted(left.values(), key=len)

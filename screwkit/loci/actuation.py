@@ -16,13 +16,13 @@ from screwkit.algebra.search import Search
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.loop_state import LoopState
 from screwkit.loci.actuation_locus import ActuationLocus
+from screwkit.loci.dependence import Dependence, dependent_zeros
 from screwkit.loci.hybrid_actuation import hybrid_actuation_locus
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.passive import PassiveSystem
 from screwkit.loci.pieces import Piece, lies_in, pieces_of
 from screwkit.loci.rank_drop import Column, rank_drop
 from screwkit.loci.witness import Witnesses
-from screwkit.loci.wrench_sums import Dependence, dependent_zeros
 
 _LONGEST = 60_000  # terms of a polynomial that is factored
 _APART = 300  # case distinctions where the whole determinant is too long

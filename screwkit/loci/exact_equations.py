@@ -8,7 +8,8 @@ vanish.  All zeros of a piece's equations are taken apart; each part on which no
 singular is excluded by a minor of the loop equations that is not zero there.  Where the
 parts could not be told, or no such minor was found, the piece is counted.
 
-References: [CoxLittleOShea] §9.1 (determinantal varieties).
+References: [CoxLittleOShea] §9.1 (determinantal varieties), §9.4 (dimension of a part
+that so many equations leave).
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.errors import TooLargeError
 from screwkit.loci.pieces import Piece
 
-_BUDGET = 160  # case distinctions for the zeros of one piece's equations
+_BUDGET = 320  # case distinctions for the zeros of one piece's equations
 _ROUNDS = 3  # of exclusion: an equation may leave less, but not nothing
 _ADDED = 3  # equations in one round
 _SETS = 20  # in which parts are looked for: parts beside parts
@@ -146,7 +147,7 @@ def _regular_parts(piece: Piece, singular: Singularity) -> tuple[list[Branch], b
     for _ in range(_SETS):
         if not waiting:
             break
-        branch, search = waiting.pop(), _search(singular)
+        branch, search = waiting.pop(), _search(singular, len(piece.equations))
         values = [branch.value(equation) for equation in piece.equations]
         zeros = common_zeros(branch, values, search)
         is_whole = is_whole and zeros.complete
@@ -159,15 +160,18 @@ def _regular_parts(piece: Piece, singular: Singularity) -> tuple[list[Branch], b
     return found, is_whole and not waiting
 
 
-def _search(singular: Singularity) -> Search:
-    """For parts that are not singular; those whose zeros are one set end there."""
+def _search(singular: Singularity, count: int) -> Search:
+    """For parts that are not singular; those whose zeros are one set end there.
+
+    So many equations leave no part of larger codimension.
+    """
 
     def is_settled(part: Branch) -> bool:
         single = len(part.pending) < 2 and bool(part.points)
         return single and singular.holds_on(part)
 
     own = Search(singular.library, budget=_BUDGET)
-    return replace(own, every_part=True, skip=is_settled)
+    return replace(own, every_part=True, skip=is_settled, deepest=count)
 
 
 def _excluding(

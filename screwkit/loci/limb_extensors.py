@@ -84,12 +84,23 @@ def primitive_extensor(
     factors, before = _counted(ring, values[shortest], library)
     _, after = _counted(ring, rest[shortest], library)
     content = tuple((factors[key], n) for key, n in (before - after).items())
+    if not _is_whole(content):  # of half angles, which the entries share in pairs
+        return PrimitiveExtensor(coordinates, ())
     product = Minor(rest[shortest], content).expanded(ring)
     scale = values[shortest].coeffs()[0] / product.coeffs()[0]
     if scale * product != values[shortest]:  # an irrational number was divided out
         return PrimitiveExtensor(coordinates, ())
     scaled = [scale * value for value in rest]
     return PrimitiveExtensor(dict(zip(coordinates, scaled, strict=True)), content)
+
+
+def _is_whole(content: Content) -> bool:
+    """Whether a product of factors is one of whole angles."""
+    degrees: Counter[int] = Counter()
+    for one, number in content:
+        if one.form is not None:
+            degrees.update({a: d * number for a, d in one.form.degrees.items()})
+    return not any(degree % 2 for degree in degrees.values())
 
 
 def _counted(

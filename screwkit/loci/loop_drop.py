@@ -22,10 +22,11 @@ from screwkit.algebra.search import Search, irreducible_parts
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.limb_parts import Parts, columns_of, motion_at
 from screwkit.kinematics.loop_state import LoopState, state_of
+from screwkit.loci.dependence import dependent_zeros
 from screwkit.loci.open_branches import undecided
 from screwkit.loci.pieces import Piece, lies_in, pieces_of, without_contained
 from screwkit.loci.strata import LimbStrata, Stratum
-from screwkit.loci.wrench_sums import dependent_zeros, height_of
+from screwkit.loci.wrench_sums import height_of
 
 _EFFORT = 1_200  # case distinctions in all; long polynomials count more
 _BUDGET = 150  # case distinctions on one branch
@@ -158,7 +159,8 @@ def loop_drop(
         _visit(root, chosen, walk)
     found = pieces_of([*walk.found, *_other_sheets(walk.found, walk.alike)])
     pieces = without_contained([*given, *found])
-    undecided = [*walk.open, *_other_sheets(walk.open, walk.alike)]
+    left = [*walk.open, *search.unfinished]
+    undecided = [*left, *_other_sheets(left, walk.alike)]
     if not all(limb.complete for limb in strata):
         undecided.append(root)
     open_left = tuple(
@@ -226,6 +228,7 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         special=[],
         budget=min(_BUDGET, walk.effort),
         skip=lambda b: any(lies_in(b, piece) for piece in elsewhere),
+        away=tuple(p.equations[0] for p in walk.pieces if len(p.equations) == 1),
     )
     before = search.budget
     zeros = dependent_zeros(branch, walk.limbs, search, within=True)

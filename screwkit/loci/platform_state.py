@@ -19,8 +19,8 @@ from screwkit.algebra.points import Point, residue
 from screwkit.algebra.search import Search
 from screwkit.kinematics.assembly import Assembly, loop_rows
 from screwkit.kinematics.subspaces import PlatformSystem
+from screwkit.loci.dependence import dependent_zeros
 from screwkit.loci.rank_drop import Column, rank_drop
-from screwkit.loci.wrench_sums import dependent_zeros
 from screwkit.mechanism.model import Mechanism
 from screwkit.results.strata import PlatformState
 

@@ -17,14 +17,12 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
 from functools import reduce
 from itertools import islice, product
 from math import prod
 from typing import TypeAlias
 
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.minors import combined, held, joined
 from screwkit.algebra.modular import annihilator, independent, rank
 from screwkit.algebra.points import Point, residue
@@ -70,21 +68,6 @@ TOGETHER, MOST = 6, 24
 
 LONGEST = 4_000
 """Terms of all minors that are asked at once; the first is taken however long."""
-
-
-@dataclass(frozen=True)
-class Dependence:
-    """Where limbs become dependent.
-
-    Attributes:
-        branches: On each the loop constraint matrix has lost rank, at exact points.
-        open: Branches that were not decided; every further zero lies on one of them.
-        reason: Why, where a determinant was too long.
-    """
-
-    branches: tuple[Branch, ...]
-    open: tuple[Branch, ...]
-    reason: str = ""
 
 
 def filling_units(
@@ -152,61 +135,6 @@ def cost(limbs: Sequence[Extensor], units: Units) -> int:
     return prod(sizes)
 
 
-def dependent_zeros(
-    branch: Branch,
-    limbs: Sequence[Parts],
-    search: Search,
-    *,
-    within: bool = False,
-) -> Dependence:
-    """Where on a branch the loop constraint matrix has less than its rank there.
-
-    Args:
-        branch: Irreducible.
-        limbs: Parts of each limb, in coordinates that tell their twists apart.
-        search: Budget, known factors, and what to leave out.
-        within: Look only where the limbs keep their ranks; their common factors are
-            left out.  Of limbs with loops inside nothing else is known.
-    """
-    points = branch.points
-    if len(limbs) < 2 or not any(limbs):
-        return Dependence((), ())
-    if not points:
-        return Dependence((), (branch,))
-    height = height_of(limbs)
-    generic = max(_rank(limbs, height, *point) for point in points)
-    found: list[Branch] = []
-    left: list[Branch] = []
-    waiting = [branch]
-    reasons: list[str] = []
-    while waiting:
-        here = waiting.pop()
-        try:
-            polynomials = _telling(here, limbs, search, within=within)
-        except TooLargeError as error:
-            reasons.append(str(error))
-            polynomials = None
-        if polynomials is None or search.budget <= 0:
-            left.append(here)
-            continue
-        shortest = min(map(len, polynomials))
-        if shortest > search.largest:
-            reasons.append(f"a determinant has {shortest:,} terms, too many to factor")
-        own = replace(search, found=[], unfinished=[], special=[])
-        zeros = common_zeros(here, polynomials, own)
-        search.budget = own.budget - 1
-        left.extend(zeros.open)
-        for part in zeros.branches:
-            places = part.points
-            if not places:
-                left.append(part)
-            elif max(_rank(limbs, height, *point) for point in places) < generic:
-                found.append(part)
-            else:
-                waiting.append(part)
-    return Dependence(tuple(found), tuple(left), "; ".join(dict.fromkeys(reasons)))
-
-
 def height_of(limbs: Sequence[Parts]) -> int:
     """Coordinates of the twists of these limbs."""
     return max((len(c) for limb in limbs for c in columns_of(limb)), default=0)
@@ -218,13 +146,13 @@ def _motions(
     return [motion_at(limb, height, point, prime) for limb in limbs]
 
 
-def _rank(limbs: Sequence[Parts], height: int, point: Point, prime: int) -> int:
+def loop_rank_at(limbs: Sequence[Parts], height: int, point: Point, prime: int) -> int:
     """Rank of the equations that the limbs' twists must agree."""
     motions = _motions(limbs, height, point, prime)
     return rank(loop_rows([motion.twists for motion in motions]), prime)
 
 
-def _telling(
+def telling_minors(
     branch: Branch,
     limbs: Sequence[Parts],
     search: Search,

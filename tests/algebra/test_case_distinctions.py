@@ -16,6 +16,7 @@ from screwkit.algebra.points import residue
 from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.search import Decomposition, Search
 from screwkit.algebra.survey import SurveyRing
+from screwkit.algebra.taken_apart import taken_apart
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 POSITIVE = Assumptions(frozenset({"a", "b"}))
@@ -172,3 +173,63 @@ def test_conditions_that_follow_from_others_leave_points() -> None:
     branch = Branch(ring, POSITIVE, tuple(minors), pending=pending, thorough=True)
     assert branch.points
     assert not any(residue(minor, *at) for minor in minors for at in branch.points)
+
+
+def test_a_sum_that_touches_zero_has_few_real_zeros() -> None:
+    """a² + b² − 2ab cos q is the square of the third side of a triangle."""
+    ring, (side, flat) = polynomials("a^2 + b^2 - 2*a*b*cos(q)", "a^2 - b^2")
+    found = vanishing_together(ring, Assumptions(), side)
+    assert found is not None
+    assert any(p in (flat, -flat) for p in found)
+    _, (far,) = polynomials("3 + sin(q)")
+    assert vanishing_together(_, Assumptions(), far) == [_.one]
+
+
+def test_a_factor_in_half_angles_is_kept_with_all_its_equations() -> None:
+    """4u(xu³ + v³) with u = sin q/2, v = cos q/2: q = 0, or a cubic in tan q/2."""
+    text = "x*(1 - cos(q))^2 + sin(q)*(1 + cos(q))"
+    ring, (condition, beside) = polynomials(
+        text, "x*sin(q)*(1 - cos(q)) + (1 + cos(q))^2"
+    )
+    found = common_zeros(
+        Branch(ring, POSITIVE), [condition], Search(FactorLibrary(ring))
+    )
+    assert found.complete
+    (cubic,) = [b for b in found.branches if b.pending]
+    assert len(found.branches) == 2
+    assert not any(residue(beside, *at) for at in cubic.points)
+    assert len(cubic.points) == 2
+
+
+def test_a_piece_is_taken_apart_where_a_coefficient_vanishes() -> None:
+    """Planes x sin p = z cos p and y sin r = z cos r, and what stands upright."""
+    ring, conditions = polynomials("x*sin(p) - z*cos(p)", "y*sin(r) - z*cos(r)")
+    search = Search(FactorLibrary(ring))
+    branch = Branch(ring, POSITIVE)
+    for condition in conditions:
+        (branch,) = restricted(branch, condition)
+    assert len(branch.pending) == 2
+    waiting, parts = [branch], []
+    while waiting:
+        here = waiting.pop()
+        apart = taken_apart(here, search)
+        if apart is None:
+            parts.append(here)
+            continue
+        assert not apart.open
+        waiting += apart.parts
+    assert all(not part.pending for part in parts)
+    for part in parts:
+        assert part.points
+        assert not any(residue(c, *at) for c in conditions for at in part.points)
+    # Of each condition the general part, and z = 0 with the sine zero.
+    assert {part.codimension for part in parts} == {2, 3}
+
+
+def test_what_a_known_piece_says_is_not_found_again() -> None:
+    ring, (product, known, other) = polynomials(
+        "(x - y)*(x + y - 1)", "x - y", "x + y - 1"
+    )
+    search = Search(FactorLibrary(ring), away=(known,))
+    (found,) = common_zeros(Branch(ring, POSITIVE), [product], search).branches
+    assert found.conditions in ((other,), (-other,))

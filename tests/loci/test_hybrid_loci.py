@@ -354,7 +354,7 @@ def test_what_is_known_to_be_complete() -> None:
 
 def test_what_is_open_is_said() -> None:
     """Where several limbs of a Delta are singular at once."""
-    found = answer("delta_ss").constraint
+    found = answer("delta_4r").constraint
     assert not found.complete
     assert "of codimension 3 or more" in found.reason
 

@@ -85,3 +85,22 @@ def _determinant(
                 (x - factor * y) % prime for x, y in zip(rows[i], rows[k], strict=True)
             ]
     return value % prime
+
+
+def test_factors_in_half_angles_may_be_shared_unevenly() -> None:
+    """With u = sin q/2, v = cos q/2, g = x u + 2 v: g²u⁵v and g u⁴v³."""
+    long, short = "x*sin(q) + 2*(1 + cos(q))", "x*(1 - cos(q)) + 2*sin(q)"
+    texts = (
+        f"({long})*(1 - cos(q))*({short})*(1 - cos(q))",
+        f"({long})*sin(q)*(1 - cos(q))*sin(q)",
+    )
+    survey = SurveyRing()
+    for text in texts:
+        evaluate(parse(text), survey)
+    ring = TrigonometricRing(survey)
+    whole = {1 << i: ring.normal(evaluate(parse(t), ring)) for i, t in enumerate(texts)}
+    found = primitive_extensor(ring, whole, FactorLibrary(ring))
+    one, two = whole.values()
+    first, second = found.coordinates.values()
+    assert ring.normal(one * second - two * first) == 0
+    assert first != 0

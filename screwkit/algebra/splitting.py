@@ -1,0 +1,90 @@
+"""A condition solved where a divisor is not zero, and what that leaves out.
+
+Solving A·x + B = 0 for x needs A ≠ 0; the part where A and B vanish together has to be
+searched as well.  Two equations P·sin φ + Q·cos φ + R = 0 of a factor in half angles
+give φ where the determinant of their coefficients is not zero.
+
+References: [CoxLittleOShea] §3.1 (partial solutions and what they miss).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from screwkit.algebra.branches import Branch, still_pending
+from screwkit.algebra.elimination import half_angle_solutions
+from screwkit.algebra.substitution import Substitution, linear_parts
+from screwkit.algebra.trigonometric import Polynomial
+
+
+@dataclass(frozen=True)
+class Split:
+    """A condition solved where a divisor is not zero, and what that leaves out.
+
+    Attributes:
+        solved: The part on which the divisor is nowhere zero; None where it is empty.
+        left: What vanishes together on the rest.
+    """
+
+    solved: Branch | None
+    left: tuple[Polynomial, ...]
+
+
+def split(
+    branch: Branch, condition: Polynomial, symbols: Sequence[int] | None = None
+) -> Split | None:
+    """Solve a condition for the symbol with the shortest coefficient, if there is one.
+
+    Coordinates of the posture come before dimensions of the mechanism.  Unlike
+    `restricted` this leaves a rest, which the caller has to search as well.
+
+    Args:
+        branch: Where the condition is irreducible and not zero.
+        condition: In the generators that are left on the branch.
+        symbols: Indices of those to choose from; all by default.
+    """
+    ring = branch.ring
+    degrees = condition.degrees()
+    best: tuple[bool, int, int] | None = None
+    for index in ring.symbol_indices() if symbols is None else symbols:
+        if degrees[index] == 1:
+            size = len(linear_parts(ring, condition, index)[0])
+            own = index in branch.dimensions, size, index
+            if best is None or own < best:
+                best = own
+    if best is None:
+        return None
+    factor, rest = linear_parts(ring, condition, best[2])
+    step = Substitution(((best[2], -rest),), factor, condition=condition, partial=True)
+    return Split(_after(branch, condition, step), (factor, rest))
+
+
+def split_half_angle(
+    branch: Branch, condition: Polynomial, companions: Sequence[Polynomial]
+) -> Split | None:
+    """Solve the equations of a half-angle factor for the angle of the least divisor.
+
+    None where no angle occurs in just two of them, linear in its sine and cosine.
+    """
+    steps = half_angle_solutions(branch.ring, condition, companions)
+    if not steps:
+        return None
+    best = min(steps, key=lambda step: len(step.divisor))
+    whole = replace(
+        best, condition=condition, companions=tuple(companions), partial=True
+    )
+    left = (best.divisor, condition, *companions)
+    return Split(_after(branch, condition, whole), left)
+
+
+def _after(branch: Branch, condition: Polynomial, step: Substitution) -> Branch | None:
+    pending = still_pending(branch, step)
+    if pending is None:
+        return None
+    return replace(
+        branch,
+        conditions=(*branch.conditions, condition),
+        steps=(*branch.steps, step),
+        pending=pending,
+    )

@@ -1,0 +1,179 @@
+"""Where limbs become dependent, on a branch: the zeros of a few minors.
+
+A branch on which several conditions of limbs are pending, and that could not be
+decided, is taken apart: the unknowns in which those conditions are linear go first.
+That counts where it decides everything; otherwise what was open stays as it was.
+
+References: [CoxLittleOShea] §9.1, [LongCaroKhalil2012] §5.2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.search import Search
+from screwkit.algebra.taken_apart import Apart, taken_apart
+from screwkit.errors import TooLargeError
+from screwkit.kinematics.limb_parts import Parts
+from screwkit.loci.pieces import Piece, lies_in
+from screwkit.loci.wrench_sums import height_of, loop_rank_at, telling_minors
+
+_APART = 70
+"""Case distinctions for a branch that is taken apart."""
+
+_FAILED = 10
+"""What it costs the others where that did not decide everything."""
+
+_LONG = 2_000
+"""Terms of the shortest minor on a part, beyond which it is not searched."""
+
+
+@dataclass(frozen=True)
+class Dependence:
+    """Where limbs become dependent.
+
+    Attributes:
+        branches: On each the loop constraint matrix has lost rank, at exact points.
+        open: Branches that were not decided; every further zero lies on one of them.
+        reason: Why, where a determinant was too long.
+    """
+
+    branches: tuple[Branch, ...]
+    open: tuple[Branch, ...]
+    reason: str = ""
+
+
+def dependent_zeros(
+    branch: Branch,
+    limbs: Sequence[Parts],
+    search: Search,
+    *,
+    within: bool = False,
+) -> Dependence:
+    """Where on a branch the loop constraint matrix has less than its rank there.
+
+    Args:
+        branch: Irreducible.
+        limbs: Parts of each limb, in coordinates that tell their twists apart.
+        search: Budget, known factors, and what to leave out.
+        within: Look only where the limbs keep their ranks; their common factors are
+            left out.  Of limbs with loops inside nothing else is known.
+    """
+    if len(limbs) < 2 or not any(limbs):
+        return Dependence((), ())
+    if not branch.points:
+        return Dependence((), (branch,))
+    return _Zeros(limbs, search, within).on(branch)
+
+
+@dataclass(frozen=True)
+class _Zeros:
+    limbs: Sequence[Parts]
+    search: Search
+    within: bool
+    is_part: bool = False
+
+    def on(self, branch: Branch) -> Dependence:
+        generic = self._rank(branch)
+        found: list[Branch] = []
+        left: list[Branch] = []
+        waiting = [branch]
+        reasons: list[str] = []
+        while waiting:
+            here = waiting.pop()
+            try:
+                minors = telling_minors(
+                    here, self.limbs, self.search, within=self.within
+                )
+            except TooLargeError as error:
+                reasons.append(str(error))
+                minors = None
+            if minors is None or self.search.budget <= 0:
+                left.append(here)
+                continue
+            shortest = min(map(len, minors))
+            if self.is_part and shortest > _LONG:
+                return Dependence((), (here,))
+            if shortest > self.search.largest:
+                reasons.append(
+                    f"a determinant has {shortest:,} terms, too many to factor"
+                )
+            own = replace(self.search, found=[], unfinished=[], special=[])
+            zeros = common_zeros(here, minors, own)
+            self.search.budget = own.budget - 1
+            for part in zeros.branches:
+                if not part.points:
+                    left.append(part)
+                elif self._rank(part) < generic:
+                    found.append(part)
+                else:
+                    waiting.append(part)
+            decided = self._apart(here, zeros.open, generic) if zeros.open else []
+            if decided is None:
+                left.extend(zeros.open)
+            else:
+                found.extend(decided)
+        return Dependence(tuple(found), tuple(left), "; ".join(dict.fromkeys(reasons)))
+
+    def _rank(self, branch: Branch) -> int:
+        height = height_of(self.limbs)
+        return max(loop_rank_at(self.limbs, height, *at) for at in branch.points)
+
+    def _apart(
+        self, here: Branch, left: Sequence[Branch], generic: int
+    ) -> list[Branch] | None:
+        """All zeros on undecided parts of a branch; None where some stay open.
+
+        The branch itself is taken apart where it can be.
+        """
+        budget = min(_APART, self.search.budget)
+        if budget <= 0:
+            return None
+        inner = replace(self.search, found=[], unfinished=[], special=[], budget=budget)
+        zeros = replace(self, search=inner, is_part=True)
+        whole = taken_apart(here, inner)
+        found: list[Branch] = []
+        for branch in [here] if whole else left:
+            apart = whole or taken_apart(branch, inner)
+            own = None if apart is None else zeros._on_parts(apart, generic)
+            if own is None:
+                self.search.budget -= _FAILED
+                return None
+            found += own
+        self.search.budget -= budget - inner.budget
+        return [_as_asked(part, left) for part in found]
+
+    def _on_parts(self, apart: Apart, generic: int) -> list[Branch] | None:
+        if apart.open:
+            return None
+        found: list[Branch] = []
+        for part in apart.parts:
+            if part.is_special or self.search.skip(part):
+                continue
+            if not part.points:
+                return None
+            if self._rank(part) < generic:
+                found.append(part)
+                continue
+            below = self.on(part)
+            if below.open:
+                return None
+            found += below.branches
+        return found
+
+
+def _as_asked(part: Branch, asked: Sequence[Branch]) -> Branch:
+    """A part in the conditions of what was taken apart to find it.
+
+    It is one of the parts on which they hold, and they are shorter.
+    """
+    if any(step.sheet is not None or step.companions for step in part.steps):
+        return part
+    for whole in asked:
+        same = whole.codimension == part.codimension
+        if same and lies_in(part, Piece(whole.conditions, (whole,))):
+            return replace(part, conditions=whole.conditions)
+    return part
