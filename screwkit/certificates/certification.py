@@ -343,7 +343,7 @@ class _Derivation:
     def _branches(
         self, equations: tuple[Polynomial, ...], codimension: int
     ) -> list[Branch]:
-        """The sheets of a component."""
+        """The sheets of a component, those of special dimensions left out."""
         search = Search(self._library)
         branches = [self._root]
         for equation in equations:
@@ -359,6 +359,7 @@ class _Derivation:
             branch
             for branch in branches
             if branch.points
+            and not branch.is_special
             and all(residue(e, *at) == 0 for at in branch.points for e in equations)
         ]
         least = min((branch.codimension for branch in found), default=0)

@@ -290,6 +290,62 @@ def test_irrational_postures_are_met_modulo_every_prime(tmp_path: Path) -> None:
         check(found, case.mechanism, seed)
 
 
+def test_sheets_of_special_dimensions_are_no_part_of_a_component() -> None:
+    """At y = 1 the condition is (a − 1)(x − 1) = 0, and a is a dimension.
+
+    At a = 1, y = 1 the rank is the generic one, at x = 1, y = 1 it is not: by joint
+    rates.
+    """
+    lines = [
+        "screwkit: 1",
+        "name: drawn",
+        "space: planar",
+        "base: b0",
+        "platform: b5",
+        "links: [b0, b1, b2, b3, b4, b5]",
+        "parameters: {a: {value: 2, positive: true}}",
+        "geometry: posture",
+        "variables: {x: 1, y: 2}",
+        "joints:",
+    ]
+    joints = (
+        ("0", "1", "point: [y, x]"),
+        ("1", "2", "point: [a, -2]"),
+        ("1", "3", "axis: [1, y]"),
+        ("1", "4", "point: [0, x]"),
+        ("3", "5", "point: [a, 0]"),
+        ("0", "2", "point: [1, y]"),
+        ("0", "3", "point: [1, y]"),
+        ("3", "4", "point: [1, 0]"),
+    )
+    for number, (parent, child, place) in enumerate(joints):
+        kind = "prismatic" if "axis" in place else "revolute"
+        lines.append(
+            f"  - {{name: j{number}, type: {kind}, parent: b{parent}, "
+            f"child: b{child}, {place}}}"
+        )
+    case = load_text("\n".join(lines) + "\n")
+    answer = screwkit.singularities(case)
+    assert len(answer.constraint.components) == 1
+    graph = WholeGraph(case.mechanism)
+    found = certified_graph(graph, answer, Source(""), "0")
+    assert all(part.proof is not None for part in found.parts)
+    check(found, case.mechanism, 3)
+    special = Network(load_text(text_at(lines, a=1, y=1)).mechanism)
+    assert special.motion.rank == answer.constraint.generic_rank
+    singular = Network(load_text(text_at(lines, x=1, y=1)).mechanism)
+    assert singular.motion.rank < answer.constraint.generic_rank
+
+
+def text_at(lines: list[str], **values: int) -> str:
+    """A mechanism with numbers for some of its symbols; others stay."""
+    text = "\n".join(lines) + "\n"
+    for name, number in values.items():
+        for before, after in (("[", ","), (" ", "]"), ("[", "]")):
+            text = text.replace(f"{before}{name}{after}", f"{before}{number}{after}")
+    return text
+
+
 # -- a limb by its loop equations ----------------------------------------------------
 
 
