@@ -60,8 +60,13 @@ def exact_rank_drop(
     """
 
     def search(given: Sequence[Piece]) -> DropPieces:
-        own = Search(library, skip=lambda b: any(lies_in(b, p) for p in given))
-        drops = tuple(rank_drop(branch, columns, own) for branch in branches)
+        def is_given(branch: Branch) -> bool:
+            return any(lies_in(branch, piece) for piece in given)
+
+        drops = tuple(
+            rank_drop(branch, columns, Search(library, skip=is_given))
+            for branch in branches
+        )
         found = pieces_of([b for drop in drops for b in drop.decomposition.branches])
         return DropPieces(tuple(without_contained([*given, *found])), drops)
 

@@ -54,7 +54,6 @@ def turn(axis: list[float], point: list[float]) -> list[float]:
 
 def loop_rank(at: dict[str, float]) -> int:
     """Of the seven unit twists (ω; v), written from the file by hand."""
-
     t, u, v, x, y, z = (at[name] for name in NAMES)
     slides = [[np.sin(t), 0, np.cos(t)], [u, v, 1], [0, 1, 1]]
     points = [[at["a"], 0, 0], [x, y, z], [0, at["d"], 0]]
@@ -119,7 +118,6 @@ joints:
 
 def limb_rank(at: dict[str, float]) -> int:
     """Of the seven unit twists (ω; v), written from the file by hand."""
-
     u, v = at["u"], at["v"]
     twists = [
         [0, 0, 0, 0, 0, 1],
