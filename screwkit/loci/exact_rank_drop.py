@@ -62,9 +62,14 @@ def exact_rank_drop(
     """
 
     def search(given: Sequence[Piece]) -> DropPieces:
+        def is_given(branch: Branch) -> bool:
+            return any(lies_in(branch, piece) for piece in given)
+
         if given:
-            own = Search(library, skip=lambda b: any(lies_in(b, p) for p in given))
-            drops = tuple(rank_drop(branch, columns, own) for branch in branches)
+            drops = tuple(
+                rank_drop(branch, columns, Search(library, skip=is_given))
+                for branch in branches
+            )
         else:
             drops = tuple(map(drop_on, branches))
         found = pieces_of([b for drop in drops for b in drop.decomposition.branches])
