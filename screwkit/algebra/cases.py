@@ -12,6 +12,7 @@ from weakref import WeakKeyDictionary
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch, is_solvable
+from screwkit.algebra.elimination import half_angle_steps
 from screwkit.algebra.factors import Factor, FactorLibrary, factor
 from screwkit.algebra.implied import LONGEST, eliminants, resolvents
 from screwkit.algebra.real_zeros import vanishing_together
@@ -116,8 +117,10 @@ def implied_cases(
 
 
 def _is_simple(branch: Branch, case: Factor) -> bool:
-    if len(case.equations) > 1:
-        return False
+    condition, *companions = case.equations
+    if companions:
+        steps = half_angle_steps(branch.ring, branch.assumptions, condition, companions)
+        return steps is not None
     return is_solvable(branch, case.equations[0]) or terms_of(branch, case) is not None
 
 

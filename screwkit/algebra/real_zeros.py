@@ -60,10 +60,12 @@ def _touching(
         beyond = ring.normal(e * e - a * a - b * b)
         if beyond == 0:
             continue
-        shape = primitive(beyond)
-        root = root_of_square(shape) if beyond.coeffs()[0] > 0 else None
-        if root is not None and shape.coeffs()[0] > 0:
-            return [ring.one] if root.is_constant() else [root, polynomial]
+        for written in (beyond, _homogeneous(ring, beyond)):
+            shape = primitive(written)
+            if written.coeffs()[0] > 0 and shape.coeffs()[0] > 0:
+                root = root_of_square(shape)
+                if root is not None:
+                    return [ring.one] if root.is_constant() else [root, polynomial]
     return None
 
 

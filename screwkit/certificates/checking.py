@@ -11,7 +11,6 @@ References: [CoxLittleOShea] §9.1; docs/decisions/0019-certificates.md.
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -25,6 +24,7 @@ from screwkit.certificates.general_claims import GeneralClaims
 from screwkit.certificates.graph_matrix import GraphMatrix
 from screwkit.certificates.plain_texts import all_plain
 from screwkit.certificates.postures import Postures, Way
+from screwkit.certificates.products import Products, condition_of, is_minor
 from screwkit.certificates.real_postures import RealPostures
 from screwkit.certificates.records import (
     Case,
@@ -117,6 +117,7 @@ class _PartCheck:
             self._dimensions,
             self._signs.nonzero,
         )
+        self._products = Products(self._postures, self._matrix)
         self._solutions = Solutions(self._postures, self._signs)
         self._loci = ClaimedLoci(self._postures, self._matrix, self._sheets)
         self._real = RealPostures(
@@ -212,8 +213,8 @@ class _PartCheck:
         elif node.impossible >= 0:
             self._impossible(node, way)
         else:
-            self._product(node, way)
-            if self._smaller_ones and _is_minor(node):
+            self._products.check(node, way, self._size_of(node))
+            if self._smaller_ones and is_minor(node):
                 self._general.bounded(node, way, max(0, self._loci.freedom))
             for case in node.cases:
                 self._case(case, way)
@@ -241,9 +242,9 @@ class _PartCheck:
         """Whether a value is 0 by the steps of a way, or a multiple of a condition."""
         if multiple is None:
             return bool(value == 0)
-        condition = point.value(read(_condition(way, multiple.condition)))
+        condition = point.value(read(condition_of(way, multiple.condition)))
         right = point.value(read(multiple.times)) * condition
-        return bool(value * self._divided(multiple.over, way, point) == right)
+        return bool(value * self._products.divided(multiple.over, way, point) == right)
 
     def _in_earlier(self, node: Node, way: Way) -> None:
         earlier = self._finished.get(node.earlier)
@@ -276,79 +277,24 @@ class _PartCheck:
                 raise RefusedError(f"the axis of {label} has a direction on it")
 
     def _impossible(self, node: Node, way: Way) -> None:
-        condition = read(_condition(way, node.impossible))
+        condition = read(condition_of(way, node.impossible))
         value = read(node.impossible_value)
         if not self._signs.never_zero(value):
             raise RefusedError(f"{node.impossible_value} may vanish")
         for point in self._postures.several(way):
             left = point.value(condition)
-            left = left * self._divided(node.over or {}, way, point)
+            left = left * self._products.divided(node.over or {}, way, point)
             if left != point.value(value):
                 raise RefusedError("a condition is not what it is said to be")
 
-    def _divided(self, over: Mapping[str, int], way: Way, point: PointRing) -> Any:
-        """The product of powers of the divisors of a way's steps at a posture."""
-        product = point.one
-        for number, power in over.items():
-            try:
-                step = dict(enumerate(way.steps))[int(number)]
-            except (ValueError, KeyError):
-                raise RefusedError(f"there is no step {number}") from None
-            product = product * point.value(read(step.over)) ** power
-        return product
+    def _size_of(self, node: Node) -> int:
+        """What size a node's minor must have."""
+        return node.rank if self._smaller_ones else self._part.rank
 
     @property
     def _smaller_ones(self) -> bool:
         """Whether the locus is not simply where the rank of the matrix falls."""
         return self._part.question == "actuation" or self._loci.freedom >= 0
-
-    def _product(self, node: Node, way: Way) -> None:
-        """A minor, or a condition, is a number times the product of the cases."""
-        if _is_minor(node):
-            size = self._part.rank
-            if self._smaller_ones:
-                size = node.rank
-            if len(node.rows) != size or len(node.columns) != size:
-                raise RefusedError(f"its minor is not of size {size}")
-            if min(node.rows, default=0) < 0 or not {*node.columns} <= {
-                *self._matrix.columns
-            }:
-                raise RefusedError("its minor is none of the matrix")
-        ratios: set[int] = set()
-        paired = any(len(case.equations) > 1 for case in node.cases)
-        for point in self._postures.several(way):
-            if node.combination:
-                left = point.zero
-                for own in node.combination:
-                    condition = point.value(read(_condition(way, own.condition)))
-                    term = point.value(read(own.times)) * condition
-                    left = left + term * self._divided(own.over, way, point)
-            elif node.condition >= 0:
-                left = point.value(read(_condition(way, node.condition)))
-            else:
-                try:
-                    left = self._matrix.minor(point, node.rows, node.columns)
-                except IndexError:
-                    raise RefusedError("its minor is none of the matrix") from None
-            left = left * self._divided(node.over or {}, way, point)
-            right = point.one
-            for case in node.cases:
-                right = right * self._factor(case, point, paired=paired) ** case.power
-            if right == 0 or left == 0:
-                raise RefusedError("its product vanishes at a random posture")
-            ratio = left * left / right if paired else left / right
-            ratios.add(int(ratio))
-        if len(ratios) > 1:
-            raise RefusedError("its minor is not the product of its cases")
-
-    def _factor(self, case: Case, point: PointRing, *, paired: bool) -> Any:
-        """A factor's value; its square where some factor is a half-angle form."""
-        values = [point.value(read(text)) for text in case.equations]
-        if not values or case.power < 1:
-            raise RefusedError("a case without equation or power")
-        if not paired:
-            return values[0]
-        return sum((value * value for value in values), point.zero)
 
     # -- cases -----------------------------------------------------------------------
 
@@ -393,22 +339,11 @@ class _PartCheck:
             raise RefusedError("a case without its divisor")
         multiple = case.divisor
         for point in self._postures.several(way):
-            left = self._divided({str(multiple.equation): 1}, way, point)
-            left = left * self._divided(multiple.over, way, point)
+            left = self._products.divided({str(multiple.equation): 1}, way, point)
+            left = left * self._products.divided(multiple.over, way, point)
             right = point.value(read(multiple.times))
             if left != right * point.value(read(case.equations[0])):
                 raise RefusedError(f"{case.equations[0]} is in no divisor")
 
     def _sheet(self, sheet: Sheet, way: Way) -> None:
         self._node(sheet.node, replace(way, steps=(*way.steps, sheet.step)))
-
-
-def _is_minor(node: Node) -> bool:
-    return node.condition < 0 and not node.combination
-
-
-def _condition(way: Way, number: int) -> str:
-    try:
-        return way.conditions[number]
-    except IndexError:
-        raise RefusedError(f"there is no condition {number}") from None

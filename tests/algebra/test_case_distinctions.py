@@ -181,6 +181,11 @@ def test_a_sum_that_touches_zero_has_few_real_zeros() -> None:
     found = vanishing_together(ring, Assumptions(), side)
     assert found is not None
     assert any(p in (flat, -flat) for p in found)
+    ring, (two_angles,) = polynomials("2 + 2*cos(p)*cos(q) - sin(p)*sin(q)")
+    # 4 − 4 cos² p − sin² p = 3 sin² p must not be positive.
+    found = vanishing_together(ring, Assumptions(), two_angles)
+    assert found is not None
+    assert any(len(p) == 1 for p in found)
     _, (far,) = polynomials("3 + sin(q)")
     assert vanishing_together(_, Assumptions(), far) == [_.one]
 
