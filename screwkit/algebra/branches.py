@@ -259,6 +259,15 @@ class Branch:
         return found if all(found[index] for index in nonzero) else None
 
     @cached_property
+    def is_empty(self) -> bool:
+        """Whether its steps make a symbol 0 that is not 0."""
+        moved = {index for step in self.steps for index, _ in step.images}
+        gens = self.ring.context.gens()
+        return any(
+            index in moved and self.value(gens[index]) == 0 for index in self.nonzero
+        )
+
+    @cached_property
     def nonzero(self) -> tuple[int, ...]:
         """Indices of the symbols that are not 0."""
         names = self.assumptions.positive | self.assumptions.nonzero
@@ -325,14 +334,14 @@ def restricted(
         if pending is None or _contradicts(branch, step):
             continue
         whole = replace(step, condition=condition, companions=companions)
-        found.append(
-            replace(
-                branch,
-                conditions=conditions,
-                steps=(*branch.steps, whole),
-                pending=pending,
-            )
+        part = replace(
+            branch,
+            conditions=conditions,
+            steps=(*branch.steps, whole),
+            pending=pending,
         )
+        if not part.is_empty:
+            found.append(part)
     return found
 
 
