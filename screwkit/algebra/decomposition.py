@@ -158,7 +158,7 @@ def _beside_what_is_skipped(
 
     It is skipped for its points; where conditions are pending these lie on one part.
     """
-    if len(branch.pending) < 2:
+    if len(branch.pending) < 2 or not search.beside:
         return
     parts = other_parts(branch, search)
     if parts is None:

@@ -48,7 +48,9 @@ class Search:
     Zeros of ``away``, in the generators of the whole ring, are not looked for: they
     are known, and what is asked is divided by them.  With ``deepest`` parts of larger
     codimension are left out: where as many equations are asked, they are no parts of
-    their own (Krull), as long as zeros are not replaced by their real ones.
+    their own (Krull), as long as zeros are not replaced by their real ones.  Without
+    ``beside`` what is skipped for its points is skipped as a whole, even where several
+    pending conditions may have parts that points do not show.
     """
 
     library: FactorLibrary
@@ -63,6 +65,7 @@ class Search:
     every_part: bool = False
     away: tuple[Polynomial, ...] = ()
     deepest: int | None = None
+    beside: bool = True
 
 
 def irreducible_parts(branch: Branch, search: Search) -> list[Branch]:

@@ -26,7 +26,7 @@ from screwkit.loci.witness import Witnesses
 
 _LONGEST = 60_000  # terms of a polynomial that is factored
 _APART = 300  # case distinctions where the whole determinant is too long
-_IDLE = 200  # case distinctions on all idle pieces
+_IDLE = 300  # case distinctions on all idle pieces
 
 
 def passive_joints(assembly: Assembly, actuated: Collection[str]) -> tuple[str, ...]:
@@ -66,7 +66,7 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
     reason = "" if complete else zeros.reason or undecided
     moving = [p for p, s in zip(pieces, states, strict=True) if s.platform_freedom]
     waiting = [p for p, s in zip(pieces, states, strict=True) if not s.platform_freedom]
-    search = Search(library, budget=_IDLE)
+    search = Search(library, budget=_IDLE, beside=False)
     search.skip = lambda branch: any(lies_in(branch, known) for known in moving)
     seen: dict[frozenset[str], Piece] = {}
     while waiting:
