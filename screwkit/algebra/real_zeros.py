@@ -56,6 +56,8 @@ def _touching(
         parts = angle_parts(ring, polynomial, angle)
         if parts is None or parts[2] == 0:
             continue
+        if all(_is_number(ring, part) for part in parts):
+            continue  # an angle in numbers is solved, or is none
         a, b, e = parts
         beyond = ring.normal(e * e - a * a - b * b)
         if beyond == 0:
@@ -65,7 +67,8 @@ def _touching(
             if written.coeffs()[0] > 0 and shape.coeffs()[0] > 0:
                 root = root_of_square(shape)
                 if root is not None:
-                    return [ring.one] if root.is_constant() else [root, polynomial]
+                    number = _is_number(ring, root)
+                    return [ring.one] if number else [root, polynomial]
     return None
 
 
@@ -119,8 +122,16 @@ def _homogeneous(ring: TrigonometricRing, polynomial: Polynomial) -> Polynomial:
 
 def _monomials(ring: TrigonometricRing, polynomial: Polynomial) -> set[tuple[int, ...]]:
     """Of the terms, without algebraic numbers, which are not zero."""
-    first = len(ring.names) - len(ring.constant_generators)
-    return {tuple(map(int, e[:first])) for e in polynomial.monoms()}
+    return {tuple(map(int, e[: _count(ring)])) for e in polynomial.monoms()}
+
+
+def _is_number(ring: TrigonometricRing, polynomial: Polynomial) -> bool:
+    return _monomials(ring, polynomial) <= {(0,) * _count(ring)}
+
+
+def _count(ring: TrigonometricRing) -> int:
+    """Generators that are no algebraic numbers."""
+    return len(ring.names) - len(ring.constant_generators)
 
 
 def _radical(ring: TrigonometricRing, monomial: tuple[int, ...]) -> Polynomial:
