@@ -13,7 +13,8 @@ from fractions import Fraction
 from typing import Any
 
 from screwkit.algebra.all_roots import RootValue
-from screwkit.algebra.expression import Expression, Number, Power, Product, Sum
+from screwkit.algebra.expression import Expression, Sum
+from screwkit.algebra.written_terms import factors_of, terms_of
 
 _Slot = tuple[Expression, int]
 
@@ -80,23 +81,10 @@ def _times(number: int, values: Sequence[RootValue]) -> Any:
 
 def laid_out(expression: Expression) -> Layout:
     """The layout of an expression."""
-    terms = expression.terms if isinstance(expression, Sum) else (expression,)
     slots: dict[_Slot, int] = {}
     monomials = []
-    for term in terms:
-        number, powers = Fraction(1), dict[Expression, int]()
-        waiting = [(term, 1)]
-        while waiting:
-            factor, power = waiting.pop()
-            match factor:
-                case Number(value):
-                    number *= value**power
-                case Product(factors):
-                    waiting += [(inner, power) for inner in factors]
-                case Power(base, exponent) if exponent > 0:
-                    waiting.append((base, power * exponent))
-                case _:
-                    powers[factor] = powers.get(factor, 0) + power
+    for term in terms_of(expression):
+        number, powers = factors_of(term)
         own = [slots.setdefault(slot, len(slots)) for slot in powers.items()]
         monomials.append((number, tuple(own)))
     inner = {

@@ -45,7 +45,13 @@ from screwkit.kinematics.whole_graph import WholeGraph
 from screwkit.loci.loop_drop import imposed
 from screwkit.mechanism.model import Mechanism
 from screwkit.progress import Progress, silent
-from screwkit.results.singularities import Component, Singularities
+from screwkit.results.singularities import (
+    ActuationSingularities,
+    Component,
+    ConstraintSingularities,
+    LimbSingularities,
+    Singularities,
+)
 
 
 def certified(
@@ -75,33 +81,16 @@ def certified(
             single=True,
         )
         derivation = _Derivation(_subject(assembly, framed, matrix, limb.chain))
-        parts.append(
-            derivation.part(
-                "limb", own.components, complete=own.complete, limb=limb.name
-            )
-        )
+        parts.append(derivation.limb(own))
     if len(assembly.limbs) > 1:
         progress("certificate", "constraint")
         derivation = _of_loops(assembly, ())
-        constraint = answer.constraint
-        parts.append(
-            derivation.part(
-                "constraint", constraint.components, complete=constraint.complete
-            )
-        )
+        parts.append(derivation.constraint(answer.constraint))
     actuation = answer.actuation
     if actuation is not None and actuation.admissible and len(assembly.limbs) > 1:
         progress("certificate", "actuation")
         derivation = _of_loops(assembly, actuation.actuated)
-        parts.append(
-            derivation.part(
-                "actuation",
-                actuation.components,
-                actuation.idle,
-                complete=actuation.complete,
-                locked=actuation.actuated,
-            )
-        )
+        parts.append(derivation.actuation(actuation))
     return Certificate(SCHEMA, answer.case, version, mechanism, tuple(parts))
 
 
@@ -138,34 +127,17 @@ def certified_graph(
         progress("certificate", f"limb {own.limb}")
         matrix = LoopEquations.of(limb, asks_held=True)
         derivation = _Derivation(_graph_subject(graph, limb, matrix))
-        parts.append(
-            derivation.part(
-                "limb", own.components, complete=own.complete, limb=own.limb
-            )
-        )
+        parts.append(derivation.limb(own))
     if graph.network.loops:
         progress("certificate", "constraint")
         derivation = _Derivation(_graph_subject(graph, graph, LoopEquations.of(graph)))
-        constraint = answer.constraint
-        parts.append(
-            derivation.part(
-                "constraint", constraint.components, complete=constraint.complete
-            )
-        )
+        parts.append(derivation.constraint(answer.constraint))
     actuation = answer.actuation
     if actuation is not None and actuation.admissible:
         progress("certificate", "actuation")
         matrix = LoopEquations.of(graph, actuation.actuated)
         derivation = _Derivation(_graph_subject(graph, graph, matrix))
-        parts.append(
-            derivation.part(
-                "actuation",
-                actuation.components,
-                actuation.idle,
-                complete=actuation.complete,
-                locked=actuation.actuated,
-            )
-        )
+        parts.append(derivation.actuation(actuation))
     return Certificate(SCHEMA, answer.case, version, mechanism, tuple(parts))
 
 
@@ -225,7 +197,25 @@ class _Derivation:
             self._signs.nonzero,
         )
 
-    def part(
+    def limb(self, own: LimbSingularities) -> Part:
+        """The part about a limb."""
+        return self._part("limb", own.components, complete=own.complete, limb=own.limb)
+
+    def constraint(self, own: ConstraintSingularities) -> Part:
+        """The part about the constraints of the loops."""
+        return self._part("constraint", own.components, complete=own.complete)
+
+    def actuation(self, own: ActuationSingularities) -> Part:
+        """The part about a scheme."""
+        return self._part(
+            "actuation",
+            own.components,
+            own.idle,
+            complete=own.complete,
+            locked=own.actuated,
+        )
+
+    def _part(
         self,
         question: str,
         components: Sequence[Component],

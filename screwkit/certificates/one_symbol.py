@@ -7,37 +7,10 @@ from fractions import Fraction
 
 from screwkit.algebra.expression import (
     Expression,
-    Number,
-    Power,
-    Product,
-    Sum,
     Symbol,
 )
 
 _DEGREE = 40
-
-
-def terms_of(expression: Expression) -> tuple[Expression, ...]:
-    """The terms of a sum; of anything else itself."""
-    return expression.terms if isinstance(expression, Sum) else (expression,)
-
-
-def factors_of(term: Expression) -> tuple[Fraction, Counter[Expression]]:
-    """The number of a term and the powers of everything else in it."""
-    number, found = Fraction(1), Counter[Expression]()
-    waiting = [(term, 1)]
-    while waiting:
-        factor, power = waiting.pop()
-        match factor:
-            case Number(value):
-                number *= value**power
-            case Product(factors):
-                waiting += [(inner, power) for inner in factors]
-            case Power(base, exponent) if exponent > 0:
-                waiting.append((base, power * exponent))
-            case _:
-                found[factor] += power
-    return number, found
 
 
 def coefficients_of(

@@ -22,7 +22,8 @@ from screwkit.algebra.expression import (
     Symbol,
 )
 from screwkit.algebra.sturm import real_zeros
-from screwkit.certificates.one_symbol import coefficients_of, factors_of, terms_of
+from screwkit.algebra.written_terms import factors_of, terms_of
+from screwkit.certificates.one_symbol import coefficients_of
 
 
 @dataclass(frozen=True)

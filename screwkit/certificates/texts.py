@@ -12,7 +12,8 @@ from screwkit.algebra.expression_building import symbols_of
 from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.parse import parse
 from screwkit.algebra.rational_values import rational_value
-from screwkit.certificates.one_symbol import coefficients_of, factors_of, terms_of
+from screwkit.algebra.written_terms import factors_of, terms_of
+from screwkit.certificates.one_symbol import coefficients_of
 from screwkit.certificates.records import Part, Step, Unsolved
 
 _MOST = 8
