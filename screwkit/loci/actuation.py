@@ -19,6 +19,7 @@ from screwkit.loci.actuation_locus import ActuationLocus
 from screwkit.loci.dependence import Dependence, dependent_zeros
 from screwkit.loci.hybrid_actuation import hybrid_actuation_locus
 from screwkit.loci.meanings import Meanings
+from screwkit.loci.mechanism_figures import figures_of
 from screwkit.loci.passive import PassiveSystem
 from screwkit.loci.pieces import Piece, lies_in, pieces_of
 from screwkit.loci.rank_drop import Column, rank_drop
@@ -47,7 +48,7 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
         return hybrid_actuation_locus(assembly, actuated)
     framed = assembly.common_twists
     root, library = assembly.root(framed.ring), assembly.library(framed.ring)
-    meanings = Meanings(framed, root, library)
+    meanings = Meanings(framed, root, library, figures_of(assembly, actuated))
     limbs = [
         assembly.told([joint for joint in limb.joints if joint in passive])
         for limb in assembly.limbs
