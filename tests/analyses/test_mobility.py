@@ -23,7 +23,7 @@ from loci.numeric import Array, Posture, rank, values
 from scipy.linalg import null_space
 
 from screwkit.analyses.mobility import mobility
-from screwkit.case import load
+from screwkit.case import load, load_text
 from screwkit.kinematics.network import Network
 from screwkit.mechanism.joints import CATALOGUE
 from screwkit.mechanism.model import Joint, JointType, Mechanism
@@ -169,6 +169,20 @@ def test_loose_bodies_are_named() -> None:
     assert found.topology.components == 3
     assert found.platform.twist_dimension == 6
     assert nao.the_mobility().loose_bodies == ()
+
+
+def test_loops_that_restrain_no_joint_have_no_others_to_follow_from() -> None:
+    text = (
+        "screwkit: 1\nname: welds\ntitle: Three bodies in one piece\n"
+        "geometry: posture\nbase: a\nplatform: b\nlinks: [a, b, c]\njoints:\n"
+        "  - {name: ab, type: fixed, parent: a, child: b}\n"
+        "  - {name: bc, type: fixed, parent: b, child: c}\n"
+        "  - {name: ca, type: fixed, parent: c, child: a}\n"
+    )
+    answer = mobility(load_text(text).network)
+    assert answer.redundant_constraints == 6
+    told = answer.workings[0].remark
+    assert told == "none of the 6 closure equations restrains a joint"
 
 
 def test_connectivity_of_the_arms() -> None:
