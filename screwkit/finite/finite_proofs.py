@@ -184,6 +184,15 @@ def upper_bound(network: Network, at: Motion) -> UpperBound | None:
     )
 
 
+def rests_on_contacts(network: Network, at: Motion) -> bool:
+    """Whether contacts lie in loops of which first order does not tell the motion."""
+    return any(
+        _has_contact(network, block)
+        for block in chain_graph(at).blocks()
+        if block.width and _of_first_order(block, len(network.rows)) is None
+    )
+
+
 def _twin(network: Network, at: Motion) -> Motion | None:
     """The motion modulo another prime; None where the ranks disagree."""
     if any(at is known for known in network.motions):
