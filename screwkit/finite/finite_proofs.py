@@ -112,13 +112,27 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
     apart = []
     if free:
         apart.append(f"the freedom of joints on no loop ({free})")
-    if idle:
-        apart.append(f"the idle freedom of bodies between two joints ({len(idle)})")
+    apart += _shared(at, len(idle))
     if apart:
         told = f"apart from {_listed(apart)}, {told}"
     alone = all(proof.whole or not proof.mobility for proof in proofs)
     moved = _motion(at, graph, blocks, proofs, idle)
     return Proof((dimension,), told, moved, alone)
+
+
+def _shared(at: Motion, count: int) -> list[str]:
+    """Whose two joints share the freedoms held; idle are those of neither end alone."""
+    base, platform = at.network.mechanism.base, at.network.mechanism.platform
+    others = len(idle_freedoms(at, {base}))
+    idle = len(idle_freedoms(at, {base, platform}))
+    apart = [
+        f"the freedom that the two joints of {body} share ({shared})"
+        for body, shared in ((base, count - others), (platform, others - idle))
+        if shared
+    ]
+    if idle:
+        apart.append(f"the idle freedom of bodies between two joints ({idle})")
+    return apart
 
 
 def _motion(
@@ -167,6 +181,15 @@ def upper_bound(network: Network, at: Motion) -> UpperBound | None:
         dimension,
         f"of the {at.mobility}-dimensional joint rates at this posture no more than a "
         f"cone of dimension {dimension} keeps the loops closed through order {highest}",
+    )
+
+
+def rests_on_contacts(network: Network, at: Motion) -> bool:
+    """Whether contacts lie in loops of which first order does not tell the motion."""
+    return any(
+        _has_contact(network, block)
+        for block in chain_graph(at).blocks()
+        if block.width and _of_first_order(block, len(network.rows)) is None
     )
 
 
