@@ -26,6 +26,7 @@ from screwkit.finite.order_proofs import (
     proved_by_order,
     smooth,
 )
+from screwkit.finite.own_axes import in_own_axes
 from screwkit.finite.tied_families import subfamily
 from screwkit.kinematics.network import Motion, Network, motion
 
@@ -73,8 +74,11 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
         None where no argument applies.
     """
     twin = _twin(network, at)
+    if twin is None:
+        return None
+    given, at, twin = at, in_own_axes(at), in_own_axes(twin)
     graph = chain_graph(at)
-    if twin is None or graph.mobility != at.mobility:
+    if graph.mobility != at.mobility:
         return None
     equations = len(network.rows)
     whole = _of_first_order(graph, equations)
@@ -95,6 +99,7 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
         if proof is None and not _has_contact(network, block):
             ends = network.mechanism.base, network.mechanism.platform
             proof = _of_family(block, ends)
+            proof = proof or _of_family_askew(block, given, ends)
             proof = proof or proved_by_order((block, other), postures)
         if proof is None:
             return None
@@ -211,6 +216,26 @@ def _of_family(block: ChainGraph, ends: Sequence[str]) -> Proved | None:
     return Proved(
         block.mobility, _in_words(closing, block.mobility), closing, whole=True
     )
+
+
+def _of_family_askew(
+    block: ChainGraph, given: Motion, ends: Sequence[str]
+) -> Proved | None:
+    """The same with other axes of its ball joints, if it has any."""
+    askew = in_own_axes(given, askew=True)
+    if askew is given:
+        return None
+    names = {edge.name for edge in block.edges}
+    for other in _moving_blocks(chain_graph(askew, idle_freedoms(askew))):
+        if names == {edge.name for edge in other.edges}:
+            same = {e.name: e.screw for e in block.edges}
+            changed = any(same[edge.name] != edge.screw for edge in other.edges)
+            return _of_family(other, ends) if changed else None
+    return None
+
+
+def _moving_blocks(graph: ChainGraph) -> tuple[ChainGraph, ...]:
+    return tuple(block for block in graph.blocks() if block.width)
 
 
 def _has_contact(network: Network, block: ChainGraph) -> bool:
