@@ -17,7 +17,8 @@ from dataclasses import dataclass, replace
 from screwkit.finite.chain_graph import INNER, ChainGraph, chain_graph
 from screwkit.finite.closing_groups import Closing, smooth_family
 from screwkit.finite.family_motion import FamilyMotion, family_motion
-from screwkit.finite.idle_freedoms import idle_freedoms
+from screwkit.finite.idle_freedoms import idle_freedoms, idle_motions
+from screwkit.finite.implied_rods import implied_rods, without_rods
 from screwkit.finite.order_proofs import (
     IDENTICAL,
     Proved,
@@ -37,7 +38,7 @@ class Proof:
 
     Attributes:
         mobility: Of the branches through the posture, ascending; one where the closed
-            postures around it are a manifold.
+            postures around it are a manifold.  The largest is that of the family.
         reason: The argument as a sentence without capital and full stop.
         motion: How the platform moves along a family of that mobility, where that is
             exact.
@@ -85,12 +86,17 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
     if whole is not None:
         moved = None if graph.rank else _motion(at, graph, [], [], ())
         return Proof((whole.mobility,), whole.reason, moved)
-    idle = idle_freedoms(at)
-    graph, other_graph = chain_graph(at, idle), chain_graph(twin, idle)
-    blocks = tuple(block for block in graph.blocks() if block.width)
-    others = tuple(block for block in other_graph.blocks() if block.width)
+    spins = idle_motions(at)
+    idle = tuple(label for spin in spins for label in spin.held)
+    implied = implied_rods(at, spins)
+    graph, other_graph = (
+        without_rods(each, chain_graph(each, idle), implied) for each in (at, twin)
+    )
+    if graph.mobility + len(idle) != at.mobility:
+        return None
+    blocks, others = _moving_blocks(graph), _moving_blocks(other_graph)
     free = graph.width - sum(block.width for block in blocks)
-    dimension = free + len(idle)
+    dimensions = {free + len(idle)}
     postures = at.posture, twin.posture
     reasons: dict[str, int] = {}
     proofs: list[Proved] = []
@@ -103,7 +109,8 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
             proof = proof or proved_by_order((block, other), postures)
         if proof is None:
             return None
-        dimension += proof.mobility
+        own = proof.mobility, *proof.others
+        dimensions = {one + other for one in dimensions for other in own}
         proofs.append(proof)
         reasons[proof.reason] = reasons.get(proof.reason, 0) + 1
     partial = len(blocks) > 1 or free > 0 or bool(idle)
@@ -119,11 +126,13 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
         apart.append(f"the freedom of joints on no loop ({free})")
     if idle:
         apart.append(f"the idle freedom of bodies between two joints ({len(idle)})")
+    if implied:
+        apart.append(f"rods whose lengths follow from those of others ({len(implied)})")
     if apart:
         told = f"apart from {_listed(apart)}, {told}"
     alone = all(proof.whole or not proof.mobility for proof in proofs)
     moved = _motion(at, graph, blocks, proofs, idle)
-    return Proof((dimension,), told, moved, alone)
+    return Proof(tuple(sorted(dimensions)), told, moved, alone)
 
 
 def _motion(
