@@ -33,9 +33,16 @@ def in_own_axes(at: Motion, *, askew: bool = False) -> Motion:
         askew: Take combinations that are parallel to no axis of another joint, lest
             freedoms be tied to these.
     """
-    prime, twists = at.posture.prime, dict(at.posture.twists)
-    triad = _triad(_directions(at), prime)
-    if askew and triad:
+    balls = [
+        labels
+        for labels in _balls(at)
+        if not at.locked & set(labels) and _is_upright(at, labels)
+    ]
+    prime = at.posture.prime
+    triad = _triad(_directions(at), prime) if balls else []
+    if not triad:
+        return at
+    if askew:
         triad = [
             [
                 sum(k * x for k, x in zip(row, column, strict=True)) % prime
@@ -43,13 +50,7 @@ def in_own_axes(at: Motion, *, askew: bool = False) -> Motion:
             ]
             for row in _ASKEW
         ]
-    balls = [
-        labels
-        for labels in _balls(at)
-        if not at.locked & set(labels) and _is_upright(at, labels)
-    ]
-    if not balls or not triad:
-        return at
+    twists = dict(at.posture.twists)
     for labels in balls:
         screws = [at.posture.twists[label] for label in labels]
         for label, axis in zip(labels, triad, strict=True):

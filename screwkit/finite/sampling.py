@@ -62,7 +62,7 @@ def _anywhere(mechanism: Mechanism) -> dict[str, float]:
     source = random.Random(2)
     return {
         name: source.uniform(-2.0, 2.0)
-        for joint in mechanism.joints
+        for joint in sorted(mechanism.joints, key=lambda joint: joint.name)
         for index, name in enumerate(joint.variables)
         if not joint.held or joint.held[index] is None
     }
@@ -73,7 +73,7 @@ def _spread(mechanism: Mechanism) -> dict[str, float]:
     source = random.Random(1)
     known = ring_at(mechanism, {}).values
     values = {}
-    for parameter in mechanism.parameters:
+    for parameter in sorted(mechanism.parameters, key=lambda known: known.name):
         value = float(known.get(parameter.name, source.uniform(0.5, 1.5)))
         shift = SPREAD * source.uniform(-1.0, 1.0) * (abs(value) or 1.0)
         values[parameter.name] = value + shift

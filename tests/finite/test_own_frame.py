@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from finite.linkages import hinge, network
 from finite.random_platforms import Placed, copied, random_platform, written
 
 from screwkit.analyses.full_cycle import full_cycle
@@ -13,6 +14,7 @@ from screwkit.finite.finite_motion import finite_motion
 from screwkit.finite.own_frame import in_own_frame
 from screwkit.finite.posture_model import posture_model, scaled
 from screwkit.finite.posture_numbers import numbers_at
+from screwkit.finite.sampling import sampled_motion
 from screwkit.finite.spanning_forest import forest_of
 
 
@@ -70,3 +72,22 @@ def test_postures_come_back_to_the_frame_of_the_file(seed: int) -> None:
         there = numbers_at(at_stance(found.model, branch.places))
         assert there.loop_rank == branch.loop_rank
         assert there.motion_type == branch.motion_type
+
+
+def test_the_order_of_parameters_does_not_choose_where_samples_are_taken() -> None:
+    places = [("0", "0"), ("0", "a"), ("b", "a + c"), ("b + c", "0")]
+    joints = [
+        hinge(f"j{k}", f"b{k}", f"b{(k + 1) % 4}", (*place, 0))
+        for k, place in enumerate(places)
+    ]
+    found = [
+        sampled_motion(network(*joints, extra=extra).motion, generic=True).model
+        for extra in (
+            "parameters: {a: 2, b: 3, c: 1}\n",
+            "parameters: {c: 1, b: 3, a: 2}\n",
+        )
+    ]
+    one, other = found
+    assert one is not None
+    assert other is not None
+    assert np.array_equal(one.screws, other.screws)
