@@ -60,7 +60,7 @@ def full_cycle(
         return FullCycle("proved", proof.mobility, told, (exact,)), None
     sample = sampled_motion(at, generic=bool(mechanism.parameters))
     if proof is None:
-        cycle = _bounded(cycle_of(network, sample), upper_bound(network, at))
+        cycle = bounded(cycle_of(network, sample), upper_bound(network, at))
         if rests_on_contacts(network, at):
             cycle = replace(cycle, reason=f"{cycle.reason}; {_NO_ROLLING}")
         return cycle, sample
@@ -94,7 +94,7 @@ def _exact_branch(network: Network, at: Motion, proof: Proof) -> MotionBranch | 
         return None
     loop_rank = len(network.labels) - len(at.locked) - found.mobility
     branch = FiniteBranch(
-        mobility=proof.mobility[0],
+        mobility=proof.mobility[-1],
         instantaneous_mobility=found.mobility,
         loop_rank=loop_rank,
         redundant_constraints=len(network.rows) * len(network.loops) - loop_rank,
@@ -175,7 +175,7 @@ def _all_closed(network: Network, at: Motion) -> FullCycle:
     return FullCycle("proved", (at.mobility,), reason)
 
 
-def _bounded(cycle: FullCycle, bound: UpperBound | None) -> FullCycle:
+def bounded(cycle: FullCycle, bound: UpperBound | None) -> FullCycle:
     """Samples beside what is proved: the bound is told where they leave all open."""
     if bound is None:
         return cycle
