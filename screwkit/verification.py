@@ -188,4 +188,5 @@ def _nodes(node: Node) -> int:
     for case in node.cases:
         below += sum(_nodes(sheet.node) for sheet in case.sheets)
         below += 0 if case.kept is None else _nodes(case.kept)
+    below += sum(_nodes(fallen) for own in node.limbs for fallen in own.fallen)
     return 1 + below

@@ -132,6 +132,30 @@ class Case:
 
 
 @dataclass(frozen=True)
+class OfLimb:
+    """What a node says of one limb, where no case of the node holds.
+
+    Attributes:
+        limb: Its name.
+        rank: Its twists have no less than this rank.
+        rows, columns: Coordinates and freedoms of a minor of its twists that shows it;
+            empty where the limb's own part does.
+        fallen: In that case what follows on each component of that part.
+        wrenches: (f; m), reciprocal to its twists, at the origin of the part's frame.
+        work: Which reciprocal products are 0 as multiples of a condition, counted over
+            the limb's freedoms that are not locked, wrench after wrench.
+    """
+
+    limb: str
+    rank: int = 0
+    rows: tuple[int, ...] = ()
+    columns: tuple[str, ...] = ()
+    fallen: tuple[Node, ...] = ()
+    wrenches: tuple[tuple[str, ...], ...] = ()
+    work: tuple[Multiple, ...] = ()
+
+
+@dataclass(frozen=True)
 class Node:
     """The postures on the way to it, and why the locus is no larger there.
 
@@ -149,6 +173,9 @@ class Node:
         rank: Of the matrix in general on the node.
         rows, columns: Of the minor that is a product: rows of the matrix from 0, and
             freedoms.
+        limbs: Ranks and wrenches of limbs, instead of a minor of the matrix; ``rows``
+            are then those of a minor of all these wrenches, which is a product together
+            with the minors of the limbs.
         condition: The unsolved condition that is a product here, instead of a minor.
         combination: Multiples of unsolved conditions whose sum is a product here.
         over: By number of a solved step: powers of its divisor on the minor's side.
@@ -168,6 +195,7 @@ class Node:
     rank: int = -1
     rows: tuple[int, ...] = ()
     columns: tuple[str, ...] = ()
+    limbs: tuple[OfLimb, ...] = ()
     condition: int = -1
     combination: tuple[Multiple, ...] = ()
     over: Mapping[str, int] | None = None
