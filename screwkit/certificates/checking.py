@@ -35,6 +35,7 @@ from screwkit.certificates.records import (
     Part,
     Sheet,
 )
+from screwkit.certificates.scheme_claims import check_schemes
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.signs import Signs
@@ -63,8 +64,10 @@ def check(
     Raises:
         RefusedError: With what does not hold.
     """
-    if not certificate.parts and limbs(mechanism):
+    if not certificate.parts and not certificate.schemes and limbs(mechanism):
         raise RefusedError("it claims nothing")
+    if certificate.schemes is not None:
+        check_schemes(certificate.schemes, mechanism, f"{seed}/schemes")
     found = []
     for number, part in enumerate(certificate.parts):
         try:
@@ -232,6 +235,8 @@ class _PartCheck:
             self._in_earlier(node, way)
         elif node.axis:
             self._without_axis(node, way)
+        elif node.vanishing:
+            self._vanishing(node.vanishing, way)
         elif node.special:
             self._general.special(node, way)
         elif node.impossible >= 0:
@@ -305,6 +310,13 @@ class _PartCheck:
                 for k, x in enumerate(direction)
             ):
                 raise RefusedError(f"the axis of {label} has a direction on it")
+
+    def _vanishing(self, name: str, way: Way) -> None:
+        """A symbol that is declared not to be 0 is 0 by the steps of a way."""
+        if name not in self._signs.nonzero:
+            raise RefusedError(f"{name} may be 0")
+        if not self._zero_on(read(name), way):
+            raise RefusedError(f"{name} is not 0 on it")
 
     def _impossible(self, node: Node, way: Way) -> None:
         condition = read(condition_of(way, node.impossible))

@@ -39,7 +39,10 @@ from screwkit.certificates.sums import (
 from screwkit.certificates.texts import read
 
 NODES = 600
-"""Nodes of one proof."""
+"""Nodes of one proof by minors of the whole matrix."""
+
+NODES_OF_LIMBS = 1_200
+"""Nodes of one proof that asks limbs; these are short."""
 
 MIXED = 3
 """Unsolved conditions from which on no further one is added to tell postures apart."""
@@ -70,7 +73,8 @@ class ProofSearch(OfferChoice):
         """The proof of one node and everything below it."""
         number = self.count
         self.count += 1
-        if self.count > NODES or len(place.conditions) > DEEPEST:
+        most = NODES_OF_LIMBS if self.asks_limbs else NODES
+        if self.count > most or len(place.conditions) > DEEPEST:
             raise NotProvedError("the proof would be too long")
         ended = self.ended(place, number)
         if ended is not None:

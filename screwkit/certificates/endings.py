@@ -52,6 +52,9 @@ class Endings(Conditions):
                 multiples = self.multiples(place, self.problem.directions[label])
             if multiples is not None:
                 return Node(number, axis=label, multiples=multiples)
+        symbol = branch.vanishing_symbol
+        if symbol is not None:
+            return Node(number, vanishing=symbol)
         for k, equations in enumerate(self.problem.components):
             if not branch.points or self.all_vanish(equations, branch):
                 multiples = self.multiples(place, equations)

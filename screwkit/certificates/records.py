@@ -165,6 +165,7 @@ class Node:
         multiples: Why, for equations that do not vanish by the solved steps alone.
         earlier: All of them belong to this node, which was finished before.
         axis: Nothing is there, because the axis of this freedom has no direction.
+        vanishing: Nothing is there, because this symbol is 0, which is never 0.
         special: The dimensions of the mechanism are tied to each other there.
         sheet: It is a sheet of the component whose postures the tree covers.
         roots: How its unsolved conditions are met, where postures on them are needed.
@@ -187,6 +188,7 @@ class Node:
     multiples: tuple[Multiple, ...] = ()
     earlier: int = -1
     axis: str = ""
+    vanishing: str = ""
     special: bool = False
     sheet: bool = False
     roots: tuple[Unsolved, ...] = ()
@@ -304,11 +306,44 @@ class Source:
 
 
 @dataclass(frozen=True)
+class SchemeClaim:
+    """What the platform can do with some freedoms locked, in general.
+
+    Attributes:
+        actuated: The freedoms.
+        freedom: Dimension of the platform's twists; 0 where the scheme is admissible.
+    """
+
+    actuated: tuple[str, ...]
+    freedom: int
+
+
+@dataclass(frozen=True)
+class SchemeClaims:
+    """What is claimed about actuation schemes.
+
+    Attributes:
+        origin, angles, form: As of a part.
+    """
+
+    origin: str
+    angles: Angles
+    schemes: tuple[SchemeClaim, ...]
+    form: str = ""
+
+
+@dataclass(frozen=True)
 class Certificate:
-    """Claims about the singularities of one mechanism, with their proofs."""
+    """Claims about one mechanism, with their proofs.
+
+    Attributes:
+        parts: About its singularities.
+        schemes: About its actuation schemes.
+    """
 
     schema: str
     case: str
     version: str
     mechanism: Source
     parts: tuple[Part, ...]
+    schemes: SchemeClaims | None = None
