@@ -261,11 +261,18 @@ class Branch:
     @cached_property
     def is_empty(self) -> bool:
         """Whether its steps make a symbol 0 that is not 0."""
+        return self.vanishing_symbol is not None
+
+    @cached_property
+    def vanishing_symbol(self) -> str | None:
+        """A symbol that its steps make 0 although it is not 0."""
         moved = {index for step in self.steps for index, _ in step.images}
         gens = self.ring.context.gens()
-        return any(
-            index in moved and self.value(gens[index]) == 0 for index in self.nonzero
-        )
+        first = self.ring.symbol_indices().start
+        for index in self.nonzero:
+            if index in moved and self.value(gens[index]) == 0:
+                return self.ring.symbols[index - first]
+        return None
 
     @cached_property
     def nonzero(self) -> tuple[int, ...]:

@@ -21,6 +21,7 @@ from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.substitution import Substitution, reduced, substituted
 from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.certificates.limb_systems import LimbSystem
 from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.minor_choice import Matrix
 from screwkit.certificates.records import Multiple, Unsolved
@@ -47,6 +48,7 @@ class Problem:
         directions: By freedom: the coordinates of its axis.
         least: Where a posture counts that allows a limb less than this many freedoms;
             −1 elsewhere.
+        limbs: Where limbs that are chains may say something of the whole.
     """
 
     root: Branch
@@ -58,6 +60,7 @@ class Problem:
     axes: dict[str, Polynomial]
     directions: dict[str, tuple[Polynomial, ...]]
     least: int = -1
+    limbs: tuple[LimbSystem, ...] = ()
 
     @property
     def smaller(self) -> bool:
@@ -281,6 +284,26 @@ class Conditions:
             )
             found.append(Option(Place(child, place.conditions), whole, impossible))
         return found
+
+    def where(self, place: Place, equations: Sequence[Polynomial]) -> Option:
+        """The part of a node on which all of some equations hold, as conditions."""
+        branch = place.branch
+        pending, impossible = list(branch.pending), None
+        held = {str(primitive(own.value)) for own in pending}
+        new = []
+        for equation in equations:
+            (value,), _ = followed(branch, [equation])
+            if value == 0 or str(primitive(value)) in held:
+                continue
+            own = Pending(equation, value)
+            if branch.assumptions.is_nonzero(branch.ring, value):
+                impossible = own
+            pending.append(own)
+            new.append(equation)
+        conditions = (*branch.conditions, *new)
+        child = replace(branch, conditions=conditions, pending=tuple(pending))
+        below = Place(child, (*place.conditions, *equations))
+        return Option(below, None, impossible)
 
     def is_of_dimensions(self, branch: Branch, own: Factor) -> bool:
         """Whether a factor ties the dimensions of the mechanism alone."""

@@ -674,6 +674,8 @@ def test_strata_of_tied_loops_are_refused_with_the_reason() -> None:
         singularities(load_text(CRANK_ROCKER), strata=2)
     with pytest.raises(UndecidedError, match="no certificate of them"):
         singularities(load_text(CRANK_ROCKER), certificate=True)
+    with pytest.raises(UndecidedError, match="without --certificate"):
+        schemes(load_text(CRANK_ROCKER), certificate=True)
 
 
 def test_numbers_of_closed_postures() -> None:
