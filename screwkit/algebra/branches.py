@@ -210,8 +210,10 @@ class Branch:
         point = random_point(self.ring, source, prime)
         if point is None:
             return None
-        fixed: set[int] = set()
-        values = [p.value for p in self.pending]
+        names = self._angles_in_numbers(point, source, prime)
+        if names is None:
+            return None
+        values = [p.value.subs(names) for p in self.pending]  # no number is moved
         nonzero = self.nonzero
         solved = moved_onto(
             self.ring,
@@ -235,12 +237,6 @@ class Branch:
             return None
         point = whole
         for step in reversed(self.steps):
-            if step.relation is not None and step.relation[0] not in fixed:
-                index, _, polynomial = step.relation
-                root = root_in(polynomial, index, point, source, prime)
-                if root is None:
-                    return None
-                point[index] = root
             divisor = residue(step.divisor, point, prime)
             if not divisor:
                 return None
@@ -248,15 +244,31 @@ class Branch:
             images = [(i, residue(p, point, prime)) for i, p in step.images]
             for index, image in images:
                 point[index] = image * inverse % prime
-                fixed.add(index)
         found = with_extensions(self.ring, point, prime)
         # A step may have moved what stands under a root.
-        checked = [*values, *(self.conditions if self.ring.radicands else ())]
+        checked = [p.value for p in self.pending]
+        checked += self.conditions if self.ring.radicands else ()
         checked += [value for p in self.pending for value in p.beside]
         if found is None or any(residue(value, found, prime) for value in checked):
             return None
         # Where a length that is not 0 vanishes there is no posture.
         return found if all(found[index] for index in nonzero) else None
+
+    def _angles_in_numbers(
+        self, point: Point, source: random.Random, prime: int
+    ) -> dict[str, int] | None:
+        """Roots for angles solved in numbers, put into a point; None without one."""
+        found: dict[str, int] = {}
+        solved: set[int] = set()
+        for step in reversed(self.steps):
+            if step.relation is not None and step.relation[0] not in solved:
+                index, _, polynomial = step.relation
+                root = root_in(polynomial, index, point, source, prime)
+                if root is None:
+                    return None
+                point[index] = found[self.ring.names[index]] = root
+            solved.update(index for index, _ in step.images)
+        return found
 
     @cached_property
     def is_empty(self) -> bool:

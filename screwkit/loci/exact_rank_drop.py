@@ -7,19 +7,26 @@ References: [CoxLittleOShea] §9.1 (determinantal varieties).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.search import Search
+from screwkit.algebra.trigonometric import Polynomial
 from screwkit.loci.exact_equations import (
     ExactPieces,
     Singularity,
     with_exact_equations,
 )
 from screwkit.loci.open_branches import undecided
-from screwkit.loci.pieces import Piece, lies_in, pieces_of, without_contained
+from screwkit.loci.pieces import (
+    Piece,
+    lies_in,
+    pieces_of,
+    surely_in,
+    without_contained,
+)
 from screwkit.loci.rank_drop import Column, RankDrop, generic_rank, rank_drop
 from screwkit.loci.searching_again import SearchedLocus, searched_again
 
@@ -40,7 +47,7 @@ class DropPieces:
     def reason(self) -> str:
         """Why there may be further pieces; empty where there are none."""
         left = [b for drop in self.drops for b in drop.decomposition.open]
-        left = [b for b in left if not any(lies_in(b, p) for p in self.pieces)]
+        left = [b for b in left if not any(surely_in(b, p) for p in self.pieces)]
         return undecided(left) if left else ""
 
 
@@ -65,9 +72,14 @@ def exact_rank_drop(
         def is_given(branch: Branch) -> bool:
             return any(lies_in(branch, piece) for piece in given)
 
+        def containing(branch: Branch) -> Iterator[Sequence[Polynomial]]:
+            return (piece.equations for piece in given if lies_in(branch, piece))
+
         if given:
             drops = tuple(
-                rank_drop(branch, columns, Search(library, skip=is_given))
+                rank_drop(
+                    branch, columns, Search(library, skip=is_given, inside=containing)
+                )
                 for branch in branches
             )
         else:

@@ -23,7 +23,13 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.kinematics.whole_graph import GraphState, Row, WholeGraph, state_of
 from screwkit.loci.exact_equations import Singularity, with_exact_equations
 from screwkit.loci.matrix_drop import MatrixZeros, RankAt, matrix_zeros
-from screwkit.loci.pieces import Piece, lies_in, pieces_of, without_contained
+from screwkit.loci.pieces import (
+    Piece,
+    lies_in,
+    pieces_of,
+    surely_in,
+    without_contained,
+)
 from screwkit.loci.searching_again import searched_again
 
 _LONGEST = 60_000  # terms of a polynomial that is factored
@@ -154,6 +160,9 @@ def _search(
     search = Search(graph.library, budget=_BUDGET, largest=_LONGEST)
     finds = list(given)
     search.skip = lambda branch: any(lies_in(branch, piece) for piece in finds)
+    search.inside = lambda branch: (
+        piece.equations for piece in finds if lies_in(branch, piece)
+    )
     zeros = matrix_zeros(graph.root, rows, rank_at, search)
     others: list[Piece] = []
     everything = [zeros]
@@ -195,7 +204,7 @@ def _open_depths(found: Sequence[MatrixZeros], finds: Sequence[Piece]) -> list[i
         max(depth, branch.codimension)
         for zeros in found
         for branch, depth in zeros.open
-        if not branch.points or not any(lies_in(branch, find) for find in finds)
+        if not branch.points or not any(surely_in(branch, find) for find in finds)
     ]
 
 

@@ -9,6 +9,7 @@ from itertools import islice
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.points import Point, residue
+from screwkit.algebra.proved_inside import left_over
 from screwkit.algebra.trigonometric import Polynomial
 
 
@@ -152,3 +153,16 @@ def lies_in(branch: Branch, piece: Piece) -> bool:
         return True
     points = branch.points
     return bool(points) and all(piece.contains(*point) for point in points)
+
+
+def surely_in(branch: Branch, piece: Piece) -> bool:
+    """Whether all of a branch lies on a piece, with parts that its points do not show.
+
+    Where several conditions are pending the points may lie on one part of it; then a
+    proof is asked for.
+    """
+    if piece.texts <= branch.texts:
+        return True
+    if not lies_in(branch, piece):
+        return False
+    return len(branch.pending) < 2 or left_over(branch, [piece.equations]) == []
