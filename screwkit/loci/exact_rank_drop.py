@@ -7,13 +7,12 @@ References: [CoxLittleOShea] §9.1 (determinantal varieties).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.search import Search
-from screwkit.algebra.trigonometric import Polynomial
 from screwkit.loci.exact_equations import (
     ExactPieces,
     Singularity,
@@ -72,14 +71,9 @@ def exact_rank_drop(
         def is_given(branch: Branch) -> bool:
             return any(lies_in(branch, piece) for piece in given)
 
-        def containing(branch: Branch) -> Iterator[Sequence[Polynomial]]:
-            return (piece.equations for piece in given if lies_in(branch, piece))
-
         if given:
             drops = tuple(
-                rank_drop(
-                    branch, columns, Search(library, skip=is_given, inside=containing)
-                )
+                rank_drop(branch, columns, Search(library, skip=is_given))
                 for branch in branches
             )
         else:

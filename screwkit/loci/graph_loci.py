@@ -160,9 +160,6 @@ def _search(
     search = Search(graph.library, budget=_BUDGET, largest=_LONGEST)
     finds = list(given)
     search.skip = lambda branch: any(lies_in(branch, piece) for piece in finds)
-    search.inside = lambda branch: (
-        piece.equations for piece in finds if lies_in(branch, piece)
-    )
     zeros = matrix_zeros(graph.root, rows, rank_at, search)
     others: list[Piece] = []
     everything = [zeros]

@@ -234,7 +234,6 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         special=[],
         budget=min(_BUDGET, walk.effort),
         skip=lambda b: any(lies_in(b, piece) for piece in elsewhere),
-        inside=lambda b: (p.equations for p in elsewhere if lies_in(b, p)),
         away=tuple(p.equations[0] for p in walk.pieces if len(p.equations) == 1),
     )
     before = search.budget
