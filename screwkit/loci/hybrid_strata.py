@@ -20,7 +20,7 @@ from screwkit.loci.open_branches import undecided
 from screwkit.loci.pieces import Piece, lies_in, pieces_of, without_contained
 from screwkit.loci.strata import LimbStrata, Stratum
 
-_MOST = 40  # strata of one limb
+_MOST = 80  # strata of one limb
 
 
 @dataclass(frozen=True)
