@@ -272,12 +272,12 @@ class Branch:
 
     @cached_property
     def is_empty(self) -> bool:
-        """Whether its steps make a symbol 0 that is not 0."""
+        """Whether its conditions make a symbol 0 that is not 0."""
         moved = {index for step in self.steps for index, _ in step.images}
         gens = self.ring.context.gens()
-        return any(
-            index in moved and self.value(gens[index]) == 0 for index in self.nonzero
-        )
+        values = [self.value(gens[index]) for index in self.nonzero if index in moved]
+        zeros = [pending.value for pending in self.pending]
+        return any(v == 0 or any(divmod(v, z)[1] == 0 for z in zeros) for v in values)
 
     @cached_property
     def nonzero(self) -> tuple[int, ...]:
@@ -330,16 +330,10 @@ def restricted(
     else:
         steps = steps_of(ring, branch.assumptions, condition)
     if steps is None:
-        return [
-            replace(
-                branch,
-                conditions=conditions,
-                pending=(
-                    *branch.pending,
-                    Pending(condition, condition, companions, companions),
-                ),
-            )
-        ]
+        fresh = Pending(condition, condition, companions, companions)
+        together = (*branch.pending, fresh)
+        unsolved = replace(branch, conditions=conditions, pending=together)
+        return [] if unsolved.is_empty else [unsolved]
     found = []
     for step in steps:
         pending = still_pending(branch, step)

@@ -85,9 +85,14 @@ def irreducible_parts(branch: Branch, search: Search) -> list[Branch]:
 def refined(branch: Branch, search: Search) -> list[Branch] | None:
     """The branch with pending conditions that later steps made reducible split up.
 
-    None where all of them are still irreducible.
+    None where all of them are still irreducible, and no two the same.
     """
+    seen: set[str] = set()
     for pending in branch.pending:
+        text = str(primitive(pending.value))
+        if text in seen and not pending.beside:
+            return [without(branch, pending)]
+        seen.add(text)
         if len(pending.value) > search.largest:
             continue
         if pending.companions:
