@@ -210,8 +210,10 @@ class Branch:
         point = random_point(self.ring, source, prime)
         if point is None:
             return None
-        fixed: set[int] = set()
-        values = [p.value for p in self.pending]
+        names = self._angles_in_numbers(point, source, prime)
+        if names is None:
+            return None
+        values = [p.value.subs(names) for p in self.pending]  # no number is moved
         nonzero = self.nonzero
         solved = moved_onto(
             self.ring,
@@ -235,12 +237,6 @@ class Branch:
             return None
         point = whole
         for step in reversed(self.steps):
-            if step.relation is not None and step.relation[0] not in fixed:
-                index, _, polynomial = step.relation
-                root = root_in(polynomial, index, point, source, prime)
-                if root is None:
-                    return None
-                point[index] = root
             divisor = residue(step.divisor, point, prime)
             if not divisor:
                 return None
@@ -248,31 +244,56 @@ class Branch:
             images = [(i, residue(p, point, prime)) for i, p in step.images]
             for index, image in images:
                 point[index] = image * inverse % prime
-                fixed.add(index)
         found = with_extensions(self.ring, point, prime)
         # A step may have moved what stands under a root.
-        checked = [*values, *(self.conditions if self.ring.radicands else ())]
+        checked = [p.value for p in self.pending]
+        checked += self.conditions if self.ring.radicands else ()
         checked += [value for p in self.pending for value in p.beside]
         if found is None or any(residue(value, found, prime) for value in checked):
             return None
         # Where a length that is not 0 vanishes there is no posture.
         return found if all(found[index] for index in nonzero) else None
 
+    def _angles_in_numbers(
+        self, point: Point, source: random.Random, prime: int
+    ) -> dict[str, int] | None:
+        """Roots for angles solved in numbers, put into a point; None without one."""
+        found: dict[str, int] = {}
+        solved: set[int] = set()
+        for step in reversed(self.steps):
+            if step.relation is not None and step.relation[0] not in solved:
+                index, _, polynomial = step.relation
+                root = root_in(polynomial, index, point, source, prime)
+                if root is None:
+                    return None
+                point[index] = found[self.ring.names[index]] = root
+            solved.update(index for index, _ in step.images)
+        return found
+
     @cached_property
     def is_empty(self) -> bool:
-        """Whether its steps make a symbol 0 that is not 0."""
-        return self.vanishing_symbol is not None
+        """Whether its conditions make a symbol 0 that is not 0."""
+        return self.vanishing_symbol is not None or any(
+            divmod(value, pending.value)[1] == 0
+            for value in self._replaced.values()
+            for pending in self.pending
+        )
 
     @cached_property
     def vanishing_symbol(self) -> str | None:
         """A symbol that its steps make 0 although it is not 0."""
+        first = self.ring.symbol_indices().start
+        zero = (
+            self.ring.symbols[i - first] for i, v in self._replaced.items() if not v
+        )
+        return next(zero, None)
+
+    @cached_property
+    def _replaced(self) -> dict[int, Polynomial]:
+        """What the steps make of symbols that are not 0."""
         moved = {index for step in self.steps for index, _ in step.images}
         gens = self.ring.context.gens()
-        first = self.ring.symbol_indices().start
-        for index in self.nonzero:
-            if index in moved and self.value(gens[index]) == 0:
-                return self.ring.symbols[index - first]
-        return None
+        return {i: self.value(gens[i]) for i in self.nonzero if i in moved}
 
     @cached_property
     def nonzero(self) -> tuple[int, ...]:
@@ -325,16 +346,10 @@ def restricted(
     else:
         steps = steps_of(ring, branch.assumptions, condition)
     if steps is None:
-        return [
-            replace(
-                branch,
-                conditions=conditions,
-                pending=(
-                    *branch.pending,
-                    Pending(condition, condition, companions, companions),
-                ),
-            )
-        ]
+        fresh = Pending(condition, condition, companions, companions)
+        together = (*branch.pending, fresh)
+        unsolved = replace(branch, conditions=conditions, pending=together)
+        return [] if unsolved.is_empty else [unsolved]
     found = []
     for step in steps:
         pending = still_pending(branch, step)

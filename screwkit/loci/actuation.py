@@ -21,7 +21,7 @@ from screwkit.loci.hybrid_actuation import hybrid_actuation_locus
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.mechanism_figures import figures_of
 from screwkit.loci.passive import PassiveSystem
-from screwkit.loci.pieces import Piece, lies_in, pieces_of
+from screwkit.loci.pieces import Piece, lies_in, pieces_of, surely_in
 from screwkit.loci.rank_drop import Column, rank_drop
 from screwkit.loci.witness import Witnesses
 
@@ -62,13 +62,16 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
         zeros = Dependence(both, zeros.open, kept.reason or zeros.reason)
     pieces = pieces_of(zeros.branches)
     states = [_state(system, piece, passive) for piece in pieces]
-    complete = all(_known(branch, pieces) for branch in zeros.open)
+    complete = all(_is_decided(branch, pieces) for branch in zeros.open)
     undecided = "the zeros of the determinant were not all decided"
     reason = "" if complete else zeros.reason or undecided
     moving = [p for p, s in zip(pieces, states, strict=True) if s.platform_freedom]
     waiting = [p for p, s in zip(pieces, states, strict=True) if not s.platform_freedom]
-    search = Search(library, budget=_IDLE, beside=False)
+    search = Search(library, budget=_IDLE)
     search.skip = lambda branch: any(lies_in(branch, known) for known in moving)
+    search.inside = lambda branch: (
+        known.equations for known in moving if lies_in(branch, known)
+    )
     seen: dict[frozenset[str], Piece] = {}
     while waiting:
         idle = waiting.pop()
@@ -86,7 +89,7 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
         # What lies on a piece inside is searched with that.
         deeper = (p for p in seen.values() if p.codimension > idle.codimension)
         searched = [*moving, *deeper]
-        if any(not _known(branch, searched) for branch in left):
+        if not all(_is_decided(branch, searched) for branch in left):
             complete, reason = False, "an idle piece was not searched to the end"
     return ActuationLocus(
         True, freedom, complete, tuple(pieces), tuple(states), meanings, reason=reason
@@ -116,6 +119,10 @@ def _inside(
 
 def _known(branch: Branch, pieces: Sequence[Piece]) -> bool:
     return any(lies_in(branch, piece) for piece in pieces)
+
+
+def _is_decided(branch: Branch, pieces: Sequence[Piece]) -> bool:
+    return any(surely_in(branch, piece) for piece in pieces)
 
 
 def _state(system: PassiveSystem, piece: Piece, passive: Collection[str]) -> LoopState:

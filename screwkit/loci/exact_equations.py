@@ -121,7 +121,7 @@ def narrower(pieces: Sequence[Piece], before: Sequence[Piece]) -> bool:
 def _exact(piece: Piece, singular: Singularity) -> tuple[Piece, bool]:
     """The piece, more equations added, and whether they are enough."""
     for _ in range(_ROUNDS):
-        if len(piece.equations) < 2 or all(map(_is_solved, piece.branches)):
+        if piece.is_exact:
             return piece, True
         parts, is_whole = _regular_parts(piece, singular)
         if not parts:
@@ -132,11 +132,6 @@ def _exact(piece: Piece, singular: Singularity) -> tuple[Piece, bool]:
         piece = replace(piece, equations=(*piece.equations, *extra))
     parts, is_whole = _regular_parts(piece, singular)
     return piece, is_whole and not parts
-
-
-def _is_solved(branch: Branch) -> bool:
-    """Whether each condition has no zero but those that were taken."""
-    return len(branch.pending) < 2 and not any(step.partial for step in branch.steps)
 
 
 def _regular_parts(piece: Piece, singular: Singularity) -> tuple[list[Branch], bool]:

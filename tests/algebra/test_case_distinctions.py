@@ -14,7 +14,8 @@ from screwkit.algebra.nowhere_zero import without_nowhere_zero
 from screwkit.algebra.parse import parse
 from screwkit.algebra.points import residue
 from screwkit.algebra.real_zeros import vanishing_together
-from screwkit.algebra.search import Decomposition, Search
+from screwkit.algebra.search import Decomposition, Search, refined
+from screwkit.algebra.splitting import split
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.taken_apart import taken_apart
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
@@ -53,6 +54,30 @@ def test_two_conditions_imply_one_without_an_unknown(
     ring, (first, second, wanted) = polynomials(one, two, implied)
     found = [e for e in eliminants(ring, first, second) if e in (wanted, -wanted)]
     assert found, without
+
+
+def test_a_length_is_not_solved_where_a_pending_condition_makes_it_zero() -> None:
+    """2 a cos p is what the pending condition says is 0: then cos p = 0."""
+    ring, (first, second) = polynomials(
+        "x*sin(q) - y*cos(r) - z", "2*a*cos(p) - x*sin(q) + y*cos(r) + z"
+    )
+    pending = (Pending(first, first),)
+    branch = Branch(ring, POSITIVE, conditions=(first,), pending=pending)
+    symbols = dict(zip(ring.symbols, ring.symbol_indices(), strict=True))
+    parts = split(branch, second, (symbols["a"],))
+    assert parts is not None
+    assert parts.solved is None
+
+
+def test_conditions_that_become_the_same_are_one() -> None:
+    ring, (one, two) = polynomials("x^2*sin(q) + y^2 - z^2", "x^2*sin(r) + y^2 - z^2")
+    pending = Pending(one, one), Pending(two, one)
+    same = Branch(ring, POSITIVE, conditions=(one, two), pending=pending)
+    assert not same.points
+    parts = refined(same, Search(FactorLibrary(ring)))
+    assert parts is not None
+    assert [part.codimension for part in parts] == [1]
+    assert parts[0].points
 
 
 def test_pending_conditions_are_solved_together() -> None:
