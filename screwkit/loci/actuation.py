@@ -61,7 +61,7 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
     states = [_state(system, piece, passive) for piece in pieces]
     complete = all(_known(branch, pieces) for branch in zeros.open)
     undecided = "the zeros of the determinant were not all decided"
-    reason = "" if complete else zeros.reason or undecided
+    reasons = dict.fromkeys(() if complete else (zeros.reason or undecided,))
     moving = [p for p, s in zip(pieces, states, strict=True) if s.platform_freedom]
     waiting = [p for p, s in zip(pieces, states, strict=True) if not s.platform_freedom]
     search = Search(library, budget=_IDLE, beside=False)
@@ -84,7 +84,9 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
         deeper = (p for p in seen.values() if p.codimension > idle.codimension)
         searched = [*moving, *deeper]
         if any(not _known(branch, searched) for branch in left):
-            complete, reason = False, "an idle piece was not searched to the end"
+            complete = False
+            reasons.setdefault("an idle piece was not searched to the end")
+    reason = "; ".join(reasons)
     return ActuationLocus(
         True, freedom, complete, tuple(pieces), tuple(states), meanings, reason=reason
     )

@@ -13,6 +13,9 @@ import pytest
 from loci.numeric import Array, value
 
 import screwkit as sk
+from screwkit.algebra.branches import Branch
+from screwkit.loci.actuation import actuation_locus
+from screwkit.loci.dependence import Dependence
 from screwkit.results.singularities import ActuationSingularities
 
 BASE = [[2, 0, 0], [1, 2, 0], [-1, 2, 0], [-2, 0, 0], [-1, -2, 0], [1, -2, 1]]
@@ -133,3 +136,20 @@ def test_four_legs_between_two_lines(tmp_path: Path) -> None:
     assert residuals < 1e-12
     assert powers[1:] == pytest.approx(np.round(powers[1:]))
     assert min(powers[2:]) > 0.5
+
+
+def test_what_was_not_expanded_is_told_beside_idle_pieces(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The determinant hides whole components; an idle piece small ones."""
+
+    def never(branch: Branch, *_: object, **__: object) -> Dependence:
+        return Dependence((), (branch,), "a determinant was not expanded")
+
+    monkeypatch.setattr("screwkit.loci.actuation.dependent_zeros", never)
+    assembly = sk.load("nao_t14").assembly
+    found = actuation_locus(assembly, assembly.mechanism.actuated)
+    assert not found.complete
+    assert found.reason == (
+        "a determinant was not expanded; an idle piece was not searched to the end"
+    )
