@@ -7,10 +7,11 @@ import pytest
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch, Pending, restricted
 from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.division import Divisor
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.implied import eliminants
-from screwkit.algebra.nowhere_zero import without_nowhere_zero
+from screwkit.algebra.nowhere_zero import FACTORED, without_nowhere_zero
 from screwkit.algebra.parse import parse
 from screwkit.algebra.points import residue
 from screwkit.algebra.real_zeros import vanishing_together
@@ -139,6 +140,21 @@ def test_what_is_zero_nowhere_is_divided_out() -> None:
     assert found in (plain, -plain)
     (kept,) = without_nowhere_zero(ring, [plain * plain], [divisor])
     assert kept == plain * plain
+
+
+def test_a_number_is_not_divided_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    """√3 divides every polynomial over Q(√3), and so it would for ever."""
+    left, divide = iter(range(20)), Divisor.divide
+
+    def counted(self: Divisor, polynomial: Polynomial) -> Polynomial | None:
+        next(left)
+        return divide(self, polynomial)
+
+    monkeypatch.setattr(Divisor, "divide", counted)
+    long = "(x + y + sqrt(3)*cos(q))^4*(1 - x*sin(q))^2"
+    ring, (whole, root, unit) = polynomials(long, "sqrt(3)", "2 + sqrt(3)")
+    assert len(whole) > FACTORED
+    assert without_nowhere_zero(ring, [whole], [root, unit]) == [whole]
 
 
 def test_an_angle_in_numbers_is_not_two_angles() -> None:
