@@ -304,7 +304,7 @@ def test_an_equation_whose_factors_are_not_certified_is_assumed_not_to_split() -
 def test_one_component_alone_is_not_searched_for_meetings(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Deeper ranks on it are no intersection; for arms of seven joints they are long."""
+    """Deeper ranks on it are no intersection; those of seven-joint arms take long."""
 
     def never(*_: object) -> None:
         raise AssertionError("nothing meets the only component")
