@@ -115,6 +115,41 @@ def test_a_sum_of_squares_is_a_locus_of_codimension_two(text: str) -> None:
     assert all(branch.codimension == 2 for branch in found.branches)
 
 
+@pytest.mark.parametrize(
+    ("text", "halves"),
+    [
+        ("(x - k)^2 + (y - sqrt(3)*k)^2", ["x - k", "y - sqrt(3)*k"]),
+        ("(x - k*y)^2 + 3*(y - 1)^2", ["x - k*y", "y - 1"]),
+        ("(a*x - sin(p))^2 + (x*cos(p) + 2)^2", ["a*x - sin(p)", "x*cos(p) + 2"]),
+    ],
+)
+def test_two_squares_multiplied_out_are_a_locus_of_codimension_two(
+    text: str, halves: list[str]
+) -> None:
+    ring, decomposed = zeros(text, *(f"0*({half})" for half in halves))
+    own, wanted = polynomials(text, *halves)
+    assert own.names == ring.names
+    assert decomposed.complete
+    assert decomposed.branches
+    for branch in decomposed.branches:
+        assert branch.codimension == 2
+        assert not any(residue(w, *at) for w in wanted for at in branch.points)
+
+
+def test_a_square_and_lengths_are_never_zero() -> None:
+    """Three quarters of it are (x − 2y/3)² + 5y²/9 + 4ab/3."""
+    ring, (polynomial,) = polynomials("3*x^2 - 4*x*y + 3*y^2 + 4*a*b")
+    assert vanishing_together(ring, POSITIVE, polynomial) == [ring.one]
+
+
+@pytest.mark.parametrize(
+    "text", ["(x - k)^2 - (y - sqrt(3)*k)^2", "x^2 + x*y - 2", "(x - k)^2 + y*k - 1"]
+)
+def test_a_difference_of_squares_keeps_its_zeros(text: str) -> None:
+    ring, (polynomial,) = polynomials(text)
+    assert vanishing_together(ring, POSITIVE, polynomial) is None
+
+
 def test_a_root_vanishes_where_its_radicand_does() -> None:
     """√(x² − y²) = 0 on the two lines y = ±x."""
     _, found = zeros("sqrt(x^2 - y^2)*(a + 1)")
