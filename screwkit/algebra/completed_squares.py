@@ -55,6 +55,8 @@ def completed_square(
             if assumptions.sign_of(ring, rest) == 1:
                 return [ring.one]
             continue
+        if not polynomial.gcd(rest).is_constant():
+            continue  # a product, which is better factored
         root = _root(ring, rest)
         if root is not None:
             return [primitive(slope), primitive(root), polynomial]

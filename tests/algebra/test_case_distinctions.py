@@ -143,9 +143,15 @@ def test_a_square_and_lengths_are_never_zero() -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["(x - k)^2 - (y - sqrt(3)*k)^2", "x^2 + x*y - 2", "(x - k)^2 + y*k - 1"]
+    "text",
+    [
+        "(x - k)^2 - (y - sqrt(3)*k)^2",
+        "x^2 + x*y - 2",
+        "(x - k)^2 + y*k - 1",
+        "(y^2 - y - k)*(x^2 + 1)",
+    ],
 )
-def test_a_difference_of_squares_keeps_its_zeros(text: str) -> None:
+def test_differences_of_squares_and_products_are_left(text: str) -> None:
     ring, (polynomial,) = polynomials(text)
     assert vanishing_together(ring, POSITIVE, polynomial) is None
 
