@@ -25,7 +25,7 @@ from screwkit.algebra.points import (
     residue,
     with_extensions,
 )
-from screwkit.algebra.points_on import moved_onto, root_in
+from screwkit.algebra.points_on import angles_in_numbers, moved_onto
 from screwkit.algebra.substitution import (
     Substitution,
     reduced,
@@ -210,7 +210,7 @@ class Branch:
         point = random_point(self.ring, source, prime)
         if point is None:
             return None
-        names = self._angles_in_numbers(point, source, prime)
+        names = angles_in_numbers(self.ring, self.steps, point, source, prime)
         if names is None:
             return None
         values = [p.value.subs(names) for p in self.pending]  # no number is moved
@@ -253,22 +253,6 @@ class Branch:
             return None
         # Where a length that is not 0 vanishes there is no posture.
         return found if all(found[index] for index in nonzero) else None
-
-    def _angles_in_numbers(
-        self, point: Point, source: random.Random, prime: int
-    ) -> dict[str, int] | None:
-        """Roots for angles solved in numbers, put into a point; None without one."""
-        found: dict[str, int] = {}
-        solved: set[int] = set()
-        for step in reversed(self.steps):
-            if step.relation is not None and step.relation[0] not in solved:
-                index, _, polynomial = step.relation
-                root = root_in(polynomial, index, point, source, prime)
-                if root is None:
-                    return None
-                point[index] = found[self.ring.names[index]] = root
-            solved.update(index for index, _ in step.images)
-        return found
 
     @cached_property
     def is_empty(self) -> bool:

@@ -165,7 +165,7 @@ def _intersections(
     """Where two components meet, and where the rank falls further on them."""
     found: list[Intersection] = []
     keys = [{str(e) for e in piece.equations} for piece in pieces]
-    for i, piece in enumerate(pieces):
+    for i, piece in enumerate(pieces[:-1]):  # nothing that comes later meets the last
         deeper = [
             lower
             for branch in piece.branches
