@@ -19,6 +19,7 @@ from screwkit.algebra.taken_apart import Apart, taken_apart
 from screwkit.errors import TooLargeError
 from screwkit.kinematics.limb_parts import Parts
 from screwkit.loci.pieces import Piece, lies_in
+from screwkit.loci.wrench_blocks import block_minors
 from screwkit.loci.wrench_sums import height_of, loop_rank_at, telling_minors
 
 _APART = 70
@@ -84,6 +85,11 @@ class _Zeros:
         reasons: list[str] = []
         while waiting:
             here = waiting.pop()
+            blocks = self._in_blocks(here, generic)
+            if blocks is not None:
+                found += blocks.branches
+                left += self._left(here, blocks.open, generic, found)
+                continue
             try:
                 minors = telling_minors(
                     here, self.limbs, self.search, within=self.within
@@ -111,12 +117,49 @@ class _Zeros:
                     found.append(part)
                 else:
                     waiting.append(part)
-            decided = self._apart(here, zeros.open, generic) if zeros.open else []
-            if decided is None:
-                left.extend(zeros.open)
-            else:
-                found.extend(decided)
+            left += self._left(here, zeros.open, generic, found)
         return Dependence(tuple(found), tuple(left), "; ".join(dict.fromkeys(reasons)))
+
+    def _left(
+        self,
+        here: Branch,
+        undecided: Sequence[Branch],
+        generic: int,
+        found: list[Branch],
+    ) -> Sequence[Branch]:
+        """What stays undecided on a branch; what is decided is added to the finds."""
+        decided = self._apart(here, undecided, generic) if undecided else []
+        if decided is None:
+            return undecided
+        found += decided
+        return ()
+
+    def _in_blocks(self, here: Branch, generic: int) -> Dependence | None:
+        """Zeros on a branch where the limbs' wrenches are blocks; None where not."""
+        if not self.within or self.is_part:
+            return None
+        lists = block_minors(here, self.limbs, height_of(self.limbs), self.search)
+        if lists is None:
+            return None
+        found: list[Branch] = []
+        left: list[Branch] = []
+        for minors in lists:
+            own = replace(self.search, found=[], unfinished=[], special=[])
+            zeros = common_zeros(here, minors, own)
+            self.search.budget = own.budget - 1
+            left += zeros.open
+            for part in zeros.branches:
+                if not part.points:
+                    left.append(part)
+                elif self._rank(part) < generic:
+                    found.append(part)
+                else:
+                    below = self.on(part)
+                    found += below.branches
+                    left += below.open
+        if left:  # so that what is left can be taken apart
+            self.search.budget = max(self.search.budget, _APART)
+        return Dependence(tuple(found), tuple(left))
 
     def _rank(self, branch: Branch) -> int:
         height = height_of(self.limbs)

@@ -248,6 +248,14 @@ def _twists(branch: Branch, limbs: Sequence[Parts]) -> list[list[Vector]]:
     ]
 
 
+def wrenches_overlap(
+    limbs: Sequence[Parts], height: int, point: Point, prime: int
+) -> bool:
+    """Whether the wrench systems of limbs share wrenches, at a point."""
+    motions = _motions(limbs, height, point, prime)
+    return _overlap([motion.twists for motion in motions], height, prime)
+
+
 def _overlap(limbs: Sequence[Sequence[Sequence[int]]], height: int, prime: int) -> bool:
     """Whether the wrench systems of limbs share wrenches, at a point."""
     systems = [

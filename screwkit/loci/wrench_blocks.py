@@ -1,0 +1,170 @@
+"""Where wrenches of limbs that overlap become dependent, block by block.
+
+Some wrenches lie in a few coordinates alone (the couples of robots that keep an axis
+upright) and span these in general.  Where they do, the others are independent of them
+and of each other exactly if they are so in the coordinates that are left.  So the rank
+is lost where that of the first wrenches is, or that of the others without those
+coordinates: short minors instead of long ones, and the others are vectors up to a
+factor there, which is searched on its own.
+
+The twists of a limb are taken where its own condition holds, also if that could not be
+solved (`algebra.projections`); so its wrenches there are as short as they are.
+
+References: [CoxLittleOShea] §9.1; [DulmageMendelsohn1958] (block triangles).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.modular import rank
+from screwkit.algebra.points import Point, residue
+from screwkit.algebra.projections import projection
+from screwkit.algebra.search import Search
+from screwkit.algebra.substitution import substituted
+from screwkit.algebra.trigonometric import Polynomial, content
+from screwkit.kinematics.limb_parts import Parts, SideBySide, motion_at
+from screwkit.loci.limb_extensors import Minor, primitive_extensor
+from screwkit.loci.rank_drop import extensors
+from screwkit.loci.wrench_sums import wrenches_overlap
+from screwkit.loci.wrench_vectors import Vector, overlap_minors, spanning_wrenches
+
+_DEAREST = 3_000_000  # products of terms in a minor of a block
+_LONGEST = 4_000  # terms of all minors of a block
+
+Minors = list[Polynomial]
+
+
+def block_minors(
+    branch: Branch, limbs: Sequence[Parts], height: int, search: Search
+) -> list[Minors] | None:
+    """Lists of polynomials; where limbs become dependent, one list vanishes together.
+
+    Args:
+        branch: Where the limbs' wrenches are taken.
+        limbs: Serial ones, each of one rank where it is looked at.
+        height: Coordinates of a twist.
+        search: Factors that are known.
+
+    Returns:
+        None where the wrenches are no such blocks, or too long, where a limb has loops
+        inside, or none of them is redundant (for `reciprocal_meets` is shorter then).
+    """
+    if not branch.points:
+        return None
+    at = branch.points[0]
+    if not wrenches_overlap(limbs, height, *at):
+        return None
+    vectors: list[Vector] = []
+    for limb in limbs:
+        own = _wrenches(branch, limb, height, at, search)
+        if own is None:
+            return None
+        vectors += own
+    first = _first_block(vectors, at)
+    if not any(_places(vector) - first for vector in vectors):
+        return None
+    found = list(_alternatives(branch, vectors, at, search))
+    return found if all(found) else None
+
+
+def _wrenches(
+    branch: Branch, limb: Parts, height: int, at: tuple[Point, int], search: Search
+) -> list[Vector] | None:
+    """That span the wrenches of a limb wherever it has its rank on the branch."""
+    columns = [branch.column(p) for p in limb if not isinstance(p, SideBySide)]
+    size = motion_at(limb, height, *at).dimension
+    if size == height:
+        return []
+    if len(columns) < len(limb) or not size:
+        return None
+    for pending in branch.pending:
+        columns = _on_condition(branch, columns, pending.value)
+    point, prime = at
+    for chart in extensors(branch, columns, size, search.library):
+        if any(residue(value, point, prime) for value in chart.values()):
+            return spanning_wrenches(branch, chart, height, size, search.library)
+    return None
+
+
+def _on_condition(
+    branch: Branch, columns: list[list[Polynomial]], condition: Polynomial
+) -> list[list[Polynomial]]:
+    """Columns where a condition of their own unknowns holds."""
+    degrees = [entry.degrees() for column in columns for entry in column]
+    own = {k for d in degrees for k, degree in enumerate(d) if degree > 0}
+    if any(d > 0 and k not in own for k, d in enumerate(condition.degrees())):
+        return columns
+    step = projection(branch.ring, condition, branch.dimensions)
+    if step is None:
+        return columns
+    return [substituted(branch.ring, column, step) for column in columns]
+
+
+def _alternatives(
+    branch: Branch, vectors: Sequence[Vector], at: tuple[Point, int], search: Search
+) -> Iterator[Minors]:
+    """Minors of the first block, then of what is left, and so on."""
+    left = list(vectors)
+    while left:
+        places = _first_block(left, at)
+        rest = [v for v in left if _places(v) - places]
+        own = [v for v in left if not _places(v) - places]
+        across = [tuple(v[k] for k in sorted(places)) for v in own]
+        minors = overlap_minors(branch, across, at, _DEAREST, _LONGEST)
+        if not any(minor.is_constant() for minor in minors):
+            yield minors
+        if not rest:
+            return
+        others = sorted(set().union(*map(_places, rest)) - places)
+        left = []
+        for factors, vector in _directions(branch, rest, others, search):
+            left.append(vector)
+            squares = sum((f * f for f in factors), branch.ring.zero)
+            if not branch.ring.normal(squares).is_constant():
+                yield factors
+
+
+def _places(vector: Vector) -> set[int]:
+    return {k for k, entry in enumerate(vector) if entry != 0}
+
+
+def _first_block(vectors: Sequence[Vector], at: tuple[Point, int]) -> set[int]:
+    """The fewest coordinates that the vectors in them alone span at a point."""
+    if not vectors:
+        return set()
+    point, prime = at
+    rows = [[residue(entry, point, prime) for entry in v] for v in vectors]
+    whole = sorted(set().union(*map(_places, vectors)))
+    for size in range(1, len(whole)):
+        for chosen in combinations(whole, size):
+            inside = [
+                row
+                for row, v in zip(rows, vectors, strict=True)
+                if _places(v) <= {*chosen}
+            ]
+            if len(inside) >= size and rank(inside, prime) == size:
+                return {*chosen}
+    return {*whole}
+
+
+def _directions(
+    branch: Branch, vectors: Sequence[Vector], places: Sequence[int], search: Search
+) -> Iterator[tuple[Minors, Vector]]:
+    """The vectors in some coordinates, each once, with the factors it comes with.
+
+    Where all factors vanish the vectors do, and their direction does not.
+    """
+    found: dict[str, tuple[Minors, Vector]] = {}
+    for vector in vectors:
+        entries = {k: vector[k] for k in places if vector[k] != 0}
+        parted = primitive_extensor(branch.ring, entries, search.library)
+        scale = content(next(iter(parted.coordinates.values())))
+        rest = tuple(
+            parted.coordinates.get(k, branch.ring.zero) / scale for k in places
+        )
+        factor = Minor(branch.ring.one, parted.content).expanded(branch.ring)
+        found.setdefault(str(rest), ([], rest))[0].append(factor)
+    yield from found.values()
