@@ -157,7 +157,7 @@ class _Zeros:
                     below = self.on(part)
                     found += below.branches
                     left += below.open
-        if left:  # so that what is left can be taken apart
+        if left and self.search.budget > 0:  # what is left can be taken apart
             self.search.budget = max(self.search.budget, _APART)
         return Dependence(tuple(found), tuple(left))
 
