@@ -39,8 +39,10 @@ def claims() -> Iterator[Any]:
     for name in bundled_cases():
         variants = (f"{name}#{variant}" for variant in load(name).variants)
         for case in (name, *variants):
+            together = pytest.mark.xdist_group(case)  # one process answers
             for claim in load(case).claims:
-                yield pytest.param(case, claim, id=f"{case}:{claim.question}")
+                name = f"{case}:{claim.question}"
+                yield pytest.param(case, claim, id=name, marks=together)
 
 
 @cache
