@@ -41,8 +41,8 @@ def claims() -> Iterator[Any]:
         for case in (name, *variants):
             together = pytest.mark.xdist_group(case)  # one process answers
             for claim in load(case).claims:
-                name = f"{case}:{claim.question}"
-                yield pytest.param(case, claim, id=name, marks=together)
+                said = f"{case}:{claim.question}"
+                yield pytest.param(case, claim, id=said, marks=together)
 
 
 @cache
