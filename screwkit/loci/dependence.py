@@ -53,6 +53,7 @@ def dependent_zeros(
     search: Search,
     *,
     within: bool = False,
+    in_blocks: bool = False,
 ) -> Dependence:
     """Where on a branch the loop constraint matrix has less than its rank there.
 
@@ -62,12 +63,14 @@ def dependent_zeros(
         search: Budget, known factors, and what to leave out.
         within: Look only where the limbs keep their ranks; their common factors are
             left out.  Of limbs with loops inside nothing else is known.
+        in_blocks: Compare wrenches that limbs share in a few coordinates on their own,
+            where ``within``: it goes further, and decides less of a single piece.
     """
     if len(limbs) < 2 or not any(limbs):
         return Dependence((), ())
     if not branch.points:
         return Dependence((), (branch,))
-    return _Zeros(limbs, search, within).on(branch)
+    return _Zeros(limbs, search, within, in_blocks).on(branch)
 
 
 @dataclass(frozen=True)
@@ -75,6 +78,7 @@ class _Zeros:
     limbs: Sequence[Parts]
     search: Search
     within: bool
+    in_blocks: bool = False
     is_part: bool = False
 
     def on(self, branch: Branch) -> Dependence:
@@ -136,7 +140,7 @@ class _Zeros:
 
     def _in_blocks(self, here: Branch, generic: int) -> Dependence | None:
         """Zeros on a branch where the limbs' wrenches are blocks; None where not."""
-        if not self.within or self.is_part:
+        if not (self.within and self.in_blocks) or self.is_part:
             return None
         lists = block_minors(here, self.limbs, height_of(self.limbs), self.search)
         if lists is None:
@@ -153,6 +157,8 @@ class _Zeros:
                     left.append(part)
                 elif self._rank(part) < generic:
                     found.append(part)
+                elif part.codimension <= here.codimension:
+                    return None  # a block that tells nothing on the branch itself
                 else:
                     below = self.on(part)
                     found += below.branches

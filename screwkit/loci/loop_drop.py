@@ -237,7 +237,7 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         away=tuple(p.equations[0] for p in walk.pieces if len(p.equations) == 1),
     )
     before = search.budget
-    zeros = dependent_zeros(branch, walk.limbs, search, within=True)
+    zeros = dependent_zeros(branch, walk.limbs, search, within=True, in_blocks=True)
     walk.effort -= 1 + before - search.budget
     walk.keep(zeros.branches)
     walk.open.extend(zeros.open)

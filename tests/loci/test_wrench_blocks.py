@@ -96,7 +96,7 @@ def on(kinds: tuple[int, ...]) -> Branch:
 def zeros(kinds: tuple[int, ...]) -> Dependence:
     case, limbs, _ = robot()
     search = Search(case.library(case.common_twists.ring))
-    return dependent_zeros(on(kinds), limbs, search, within=True)
+    return dependent_zeros(on(kinds), limbs, search, within=True, in_blocks=True)
 
 
 def posture(place: Array, phi: float, thetas: Array, etas: Array) -> dict[str, float]:
