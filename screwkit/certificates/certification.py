@@ -7,14 +7,14 @@ derived anew.
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from screwkit.algebra.angle_basis import inverse_forms
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.factor_library import FactorLibrary
-from screwkit.algebra.points import residue
+from screwkit.algebra.points import Point, residue
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
@@ -40,6 +40,7 @@ from screwkit.certificates.texts import RefusedError, read
 from screwkit.certificates.written import SCHEMA
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.frames import FramedTwists
+from screwkit.kinematics.freedoms import JointTwist
 from screwkit.kinematics.placement import joint_twists
 from screwkit.kinematics.whole_graph import WholeGraph
 from screwkit.loci.loop_drop import imposed
@@ -80,7 +81,7 @@ def certified(
             tuple(range(6)),
             single=True,
         )
-        derivation = _Derivation(_subject(assembly, framed, matrix, limb.chain))
+        derivation = PartDerivation(_subject(assembly, framed, matrix, limb.chain))
         parts.append(derivation.limb(own))
     if len(assembly.limbs) > 1:
         progress("certificate", "constraint")
@@ -94,7 +95,7 @@ def certified(
     return Certificate(SCHEMA, answer.case, version, mechanism, tuple(parts))
 
 
-def _of_loops(assembly: Assembly, locked: Sequence[str]) -> _Derivation:
+def _of_loops(assembly: Assembly, locked: Sequence[str]) -> PartDerivation:
     left = [[j for j in limb.joints if j not in locked] for limb in assembly.limbs]
     matrix = Matrix(
         tuple(tuple(map(tuple, assembly.told(own))) for own in left),
@@ -103,7 +104,7 @@ def _of_loops(assembly: Assembly, locked: Sequence[str]) -> _Derivation:
         single=False,
     )
     chain = [name for limb in assembly.limbs for name in limb.chain]
-    return _Derivation(_subject(assembly, assembly.common_twists, matrix, chain))
+    return PartDerivation(_subject(assembly, assembly.common_twists, matrix, chain))
 
 
 def certified_graph(
@@ -126,23 +127,25 @@ def certified_graph(
     for limb, own in zip(graph.limbs, answer.limb, strict=True):
         progress("certificate", f"limb {own.limb}")
         matrix = LoopEquations.of(limb, asks_held=True)
-        derivation = _Derivation(_graph_subject(graph, limb, matrix))
+        derivation = PartDerivation(_graph_subject(graph, limb, matrix))
         parts.append(derivation.limb(own))
     if graph.network.loops:
         progress("certificate", "constraint")
-        derivation = _Derivation(_graph_subject(graph, graph, LoopEquations.of(graph)))
+        derivation = PartDerivation(
+            _graph_subject(graph, graph, LoopEquations.of(graph))
+        )
         parts.append(derivation.constraint(answer.constraint))
     actuation = answer.actuation
     if actuation is not None and actuation.admissible:
         progress("certificate", "actuation")
         matrix = LoopEquations.of(graph, actuation.actuated)
-        derivation = _Derivation(_graph_subject(graph, graph, matrix))
+        derivation = PartDerivation(_graph_subject(graph, graph, matrix))
         parts.append(derivation.actuation(actuation))
     return Certificate(SCHEMA, answer.case, version, mechanism, tuple(parts))
 
 
 @dataclass(frozen=True)
-class _Subject:
+class Subject:
     """What a part is about.
 
     Attributes:
@@ -163,24 +166,24 @@ class _Subject:
 
 def _subject(
     assembly: Assembly, framed: FramedTwists, matrix: Matrix, chain: Sequence[str]
-) -> _Subject:
+) -> Subject:
     root, library = assembly.root(framed.ring), assembly.library(framed.ring)
-    return _Subject(assembly.mechanism, root, library, framed, matrix, tuple(chain))
+    return Subject(assembly.mechanism, root, library, framed, matrix, tuple(chain))
 
 
 def _graph_subject(
     graph: WholeGraph, own: WholeGraph, matrix: LoopEquations
-) -> _Subject:
+) -> Subject:
     chain = tuple(joint.name for joint in own.mechanism.joints)
-    return _Subject(
+    return Subject(
         graph.mechanism, own.root, own.library, own.framed, matrix, chain, "loops"
     )
 
 
-class _Derivation:
+class PartDerivation:
     """One part under way."""
 
-    def __init__(self, subject: _Subject) -> None:
+    def __init__(self, subject: Subject) -> None:
         self._subject = subject
         self._framed, self._matrix = subject.framed, subject.matrix
         self._ring = subject.framed.ring
@@ -235,12 +238,15 @@ class _Derivation:
         if not complete:
             return self._held(part, "the answer says that its list may have gaps")
         try:
-            problem = self._problem(loci, question)
-            proved = replace(part, proof=proof_of(problem))
+            proved = self._proved(part, loci)
             checked(self._subject.mechanism, proved, "written")
         except (NotProvedError, RefusedError) as error:
             return self._held(part, str(error))
         return proved
+
+    def _proved(self, part: Part, loci: Sequence[tuple[Polynomial, ...]]) -> Part:
+        """The part with a proof."""
+        return replace(part, proof=proof_of(self._problem(loci, part.question)))
 
     def _held(self, part: Part, reason: str) -> Part:
         """The claims without a proof, if they hold; else without components."""
@@ -264,7 +270,7 @@ class _Derivation:
             question=question,
             origin=self._framed.origin,
             angles=tuple(dict(form) for form in self._ring.basis),
-            rank=max(self._matrix.rank_at(*at) for at in self._root.points),
+            rank=max(self._matrix.rank_at(*at) for at in self._postures),
             components=tuple(
                 self._locus(c, own) for c, own in zip(components, loci, strict=True)
             ),
@@ -302,7 +308,12 @@ class _Derivation:
         """What a limb by its loop equations allows in general; −1 elsewhere."""
         if question != "limb" or not self._subject.form:
             return -1
-        return max(self._matrix.freedom_at(*at) for at in self._root.points)
+        return max(self._matrix.freedom_at(*at) for at in self._postures)
+
+    @property
+    def _postures(self) -> Sequence[tuple[Point, int]]:
+        """Exact ones, in general."""
+        return self._root.points
 
     def _polynomials(self, component: Component) -> tuple[Polynomial, ...]:
         return tuple(evaluate(read(e), self._ring) for e in component.equations)
@@ -355,14 +366,20 @@ class _Derivation:
         least = min((branch.codimension for branch in found), default=0)
         return [branch for branch in found if branch.codimension == least]
 
+    def _twists(self) -> Mapping[str, JointTwist[Polynomial]]:
+        return joint_twists(
+            self._subject.mechanism,
+            self._ring,
+            self._framed.origin,
+            self._subject.chain,
+        )
+
     def _scales(self) -> dict[str, str]:
         """What the columns were multiplied with to clear divisors."""
         ring = self._ring
         if not ring.divisors_of:
             return {}
-        twists = joint_twists(
-            self._subject.mechanism, ring, self._framed.origin, self._subject.chain
-        )
+        twists = self._twists()
         found = {}
         for label in self._framed.joints:
             scale = ring.cleared(twists[label].coordinates)[1]

@@ -15,8 +15,9 @@ from screwkit.algebra.division import Divisor, exact_quotient
 from screwkit.algebra.elimination import half_angle_steps, steps_of
 from screwkit.algebra.factors import Factor, FactorLibrary, factor
 from screwkit.algebra.half_angle import HalfAngles
+from screwkit.algebra.no_real_angle import never_met
 from screwkit.algebra.over_roots import square_roots
-from screwkit.algebra.points import residue
+from screwkit.algebra.points import Point, residue
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.substitution import Substitution, reduced, substituted
@@ -47,6 +48,8 @@ class Problem:
         directions: By freedom: the coordinates of its axis.
         least: Where a posture counts that allows a limb less than this many freedoms;
             −1 elsewhere.
+        demands: Conditions that hold at every posture, where loops tie joint variables.
+        closed: Exact postures at which they do.
     """
 
     root: Branch
@@ -58,6 +61,8 @@ class Problem:
     axes: dict[str, Polynomial]
     directions: dict[str, tuple[Polynomial, ...]]
     least: int = -1
+    demands: tuple[Polynomial, ...] = ()
+    closed: tuple[tuple[Point, int], ...] = ()
 
     @property
     def smaller(self) -> bool:
@@ -75,6 +80,15 @@ class Place:
     def number(self, pending: Pending) -> int:
         """Of an unsolved condition of the branch among those of the way."""
         return [str(c) for c in self.conditions].index(str(pending.condition))
+
+
+def with_conditions(root: Branch, equations: Sequence[Polynomial]) -> Branch:
+    """The branch on which further equations are to hold, none of them solved."""
+    return replace(
+        root,
+        conditions=(*root.conditions, *equations),
+        pending=(*root.pending, *(Pending(own, own) for own in equations)),
+    )
 
 
 @dataclass(frozen=True)
@@ -210,8 +224,11 @@ class Conditions:
         return [(own, power) for own, power in found.values() if power]
 
     def positive(self, branch: Branch, own: Factor) -> bool:
-        """Whether a factor vanishes nowhere by the signs of its terms."""
-        if not branch.assumptions.is_nonzero(branch.ring, own.equations[0]):
+        """Whether a factor vanishes nowhere, by signs of its terms or in numbers."""
+        ring, first = branch.ring, own.equations[0]
+        if not branch.assumptions.is_nonzero(ring, first) and not never_met(
+            ring, [first]
+        ):
             return False
         return self.problem.signs.never_zero(read(text(branch.ring, own.equations[0])))
 

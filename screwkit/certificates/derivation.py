@@ -14,12 +14,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
-from screwkit.algebra.branches import without
+from screwkit.algebra.branches import Branch, without
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.points import Point
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import Polynomial, primitive
-from screwkit.certificates.conditions import Conditions, Option, Place, Problem
+from screwkit.certificates.conditions import (
+    Conditions,
+    Option,
+    Place,
+    Problem,
+    with_conditions,
+)
 from screwkit.certificates.minor_choice import Minor
 from screwkit.certificates.records import Case, Node, Sheet, Unsolved
 from screwkit.certificates.roots import NotProvedError
@@ -33,6 +39,7 @@ from screwkit.certificates.sums import (
     determinant_sum,
     implied_equation,
     solvable_sum,
+    sum_without_angles,
 )
 from screwkit.certificates.texts import read
 from screwkit.certificates.whole_equations import with_whole_equations
@@ -57,6 +64,13 @@ LOOKED_AT = 4
 
 
 _Candidate: TypeAlias = tuple[int, int, Minor, list[tuple[Factor, int]]]
+_Chosen: TypeAlias = tuple[
+    Minor,
+    list[tuple[Factor, int]],
+    list[list[Option]],
+    int,
+    tuple[Unsolved, ...],
+]
 
 
 @dataclass
@@ -92,6 +106,7 @@ class ProofSearch(Conditions):
             or self.of_a_sum(place, number, determinant_sum(self, place))
             or self.special(place, number)
             or self.of_a_sum(place, number, implied_equation(self, place))
+            or self.without_points(place, number)
             or self.by_minor(place, number)
         )
         self.finished.append((number, self.equations(place)))
@@ -163,23 +178,55 @@ class ProofSearch(Conditions):
         roots = self.roots(branch)
         return Node(number, special=True, roots=roots)
 
+    def without_points(self, place: Place, number: int) -> Node | None:
+        """The node of a sum in few unknowns, where no exact posture was found."""
+        if place.branch.points or not place.branch.pending:
+            return None
+        return self.of_a_sum(place, number, sum_without_angles(self, place))
+
     def by_minor(self, place: Place, number: int) -> Node:
-        """The node of the minor that leaves the fewest cases."""
+        """The node of the minor that leaves the fewest cases.
+
+        Where there is none, of a sum in few unknowns.
+        """
+        try:
+            chosen = self.chosen_minor(place)
+        except NotProvedError:
+            found = self.of_a_sum(place, number, sum_without_angles(self, place))
+            if found is None:
+                raise
+            return found
+        minor, factors, options, rank, roots = chosen
+        matrix = self.problem.matrix
+        labels = [x for own in matrix.labels for x in own]
+        return Node(
+            number,
+            rank=rank,
+            roots=roots,
+            rows=tuple(matrix.row(row) for row in minor.rows),
+            columns=tuple(labels[k] for k in minor.columns),
+            over=minor.over,
+            cases=self.cases(place, factors, options),
+        )
+
+    def chosen_minor(self, place: Place) -> _Chosen:
+        """The minor that leaves the fewest cases, with their options.
+
+        Raises:
+            NotProvedError: If there is none that says something new.
+        """
         branch, matrix = place.branch, self.problem.matrix
         at = max(branch.points, key=lambda p: matrix.rank_at(*p), default=None)
         if at is None or self.falls(at):
             # A minor that vanishes on some of the postures here may tell them apart.
-            wider = replace(branch, pending=())
-            at = (
-                next(iter(wider.points), None)
-                if 0 < len(branch.pending) < MIXED
-                else None
-            )
+            at = self.wider(branch)
             if at is None or self.falls(at):
                 raise NotProvedError(
                     "the search ended at postures that it could place on no component"
                 )
         rank = matrix.rank_at(*at)
+        if rank > self.rank and not self.problem.smaller:
+            raise NotProvedError("postures of lower rank were not told from others")
         roots: tuple[Unsolved, ...] = ()
         if self.problem.smaller and rank < self.rank:
             roots = self.roots(branch)
@@ -221,16 +268,15 @@ class ProofSearch(Conditions):
         if best is None:
             raise NotProvedError(reason)
         _, minor, factors, options = best
-        labels = [x for own in matrix.labels for x in own]
-        return Node(
-            number,
-            rank=rank,
-            roots=roots,
-            rows=tuple(matrix.row(row) for row in minor.rows),
-            columns=tuple(labels[k] for k in minor.columns),
-            over=minor.over,
-            cases=self.cases(place, factors, options),
-        )
+        return minor, factors, options, rank, roots
+
+    def wider(self, branch: Branch) -> tuple[Point, int] | None:
+        """A posture that need not fulfil the unsolved conditions of a branch."""
+        more = len(branch.pending) - len(self.problem.demands)
+        if branch.pending and more < MIXED:
+            closed = None if branch.steps else next(iter(self.problem.closed), None)
+            return closed or next(iter(replace(branch, pending=()).points), None)
+        return None
 
     def falls(self, at: tuple[Point, int]) -> bool:
         """Whether a posture belongs to the locus."""
@@ -346,8 +392,9 @@ def proof_of(problem: Problem) -> Node:
     Raises:
         NotProvedError: If none was found.
     """
-    points = problem.root.points
+    points = problem.closed or problem.root.points
     if not points:
         raise NotProvedError("the mechanism has no exact posture")
     rank = max(problem.matrix.rank_at(*at) for at in points)
-    return ProofSearch(problem, rank).node(Place(problem.root))
+    start = with_conditions(problem.root, problem.demands)
+    return ProofSearch(problem, rank).node(Place(start, problem.demands))

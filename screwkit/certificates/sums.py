@@ -6,9 +6,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
+from screwkit.algebra.eliminated_sums import sums_without, without_square_roots
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.linear_systems import has_solutions, linear_systems
 from screwkit.algebra.points import residue
+from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.substitution import linear_parts
 from screwkit.algebra.sums_of_conditions import (
@@ -45,8 +47,9 @@ def solvable_sum(known: Conditions, place: Place) -> Sum | None:
         sums_by_elimination(branch.ring, values, 0),
         sums_by_elimination(branch.ring, values, 1),
     ):
-        factors = known.factors(branch, found.value)
-        if all(
+        value = branch.value(found.value)
+        factors = [] if value == 0 else known.factors(branch, value)
+        if factors and all(
             known.steps(branch, own) is not None or known.vanishes_nowhere(branch, own)
             for own, _ in factors
         ):
@@ -71,6 +74,33 @@ def implied_equation(known: Conditions, place: Place) -> Sum | None:
         if found is not None:
             factors = known.factors(branch, found.value)
             return Sum(_terms(place, numbers, found), tuple(factors))
+    return None
+
+
+def sum_without_angles(known: Conditions, place: Place) -> Sum | None:
+    """A sum in few unknowns, all of whose factors can be solved or vanish nowhere.
+
+    Unknowns are taken out until one angle, or the dimensions alone, are left.
+    """
+    branch = place.branch
+    ring, values = branch.ring, [pending.value for pending in branch.pending]
+    if len(values) < 2:
+        return None
+    dimensions = [("x", index) for index in branch.dimensions]
+    angles = {u for v in values for u in unknowns(ring, v) if u[0] == "angle"}
+    for kept in ([], *([angle] for angle in sorted(angles))):
+        for found in sums_without(ring, values, [*dimensions, *kept]):
+            own, times = without_square_roots(ring, found)
+            own = branch.value(own)
+            factors = [] if own == 0 else known.factors(branch, own)
+            if factors and all(
+                known.vanishes_nowhere(branch, f) or known.steps(branch, f) is not None
+                for f, _ in factors
+            ):
+                numbers = [place.number(pending) for pending in branch.pending]
+                return Sum(
+                    _terms(place, numbers, Combination(own, times)), tuple(factors)
+                )
     return None
 
 
