@@ -327,8 +327,8 @@ class _PartCheck:
             self._solutions.solved(case, [sheet.step for sheet in case.sheets], way)
             for sheet in case.sheets:
                 self._sheet(sheet, way)
-        elif case.kept is not None and len(case.equations) == 1:
-            conditions = (*way.conditions, case.equations[0])
+        elif case.kept is not None:
+            conditions = (*way.conditions, *case.equations)
             self._node(case.kept, replace(way, conditions=conditions))
         else:
             raise RefusedError(f"{case.equations[0]}: nothing is said of this case")

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
-from screwkit.algebra.branches import Branch, without
+from screwkit.algebra.branches import without
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.points import Point
 from screwkit.algebra.polynomial_text import text
@@ -38,6 +38,7 @@ from screwkit.certificates.sums import (
     Sum,
     determinant_sum,
     implied_equation,
+    paired_equation,
     solvable_sum,
     sum_without_angles,
 )
@@ -101,7 +102,8 @@ class ProofSearch(Conditions):
         if ended is not None:
             return ended
         found = (
-            self.split_condition(place, number)
+            self.of_a_sum(place, number, paired_equation(self, place))
+            or self.split_condition(place, number)
             or self.of_a_sum(place, number, solvable_sum(self, place))
             or self.of_a_sum(place, number, determinant_sum(self, place))
             or self.special(place, number)
@@ -153,6 +155,8 @@ class ProofSearch(Conditions):
                 str(primitive(pending.value)),
             )
             if same and self.steps(branch, factors[0][0]) is None:
+                continue
+            if self.says_nothing(place, pending, factors):
                 continue
             index = place.number(pending)
             _, over = followed(branch, [place.conditions[index]])
@@ -219,7 +223,7 @@ class ProofSearch(Conditions):
         at = max(branch.points, key=lambda p: matrix.rank_at(*p), default=None)
         if at is None or self.falls(at):
             # A minor that vanishes on some of the postures here may tell them apart.
-            at = self.wider(branch)
+            at = self.wider(branch, MIXED)
             if at is None or self.falls(at):
                 raise NotProvedError(
                     "the search ended at postures that it could place on no component"
@@ -269,14 +273,6 @@ class ProofSearch(Conditions):
             raise NotProvedError(reason)
         _, minor, factors, options = best
         return minor, factors, options, rank, roots
-
-    def wider(self, branch: Branch) -> tuple[Point, int] | None:
-        """A posture that need not fulfil the unsolved conditions of a branch."""
-        more = len(branch.pending) - len(self.problem.demands)
-        if branch.pending and more < MIXED:
-            closed = None if branch.steps else next(iter(self.problem.closed), None)
-            return closed or next(iter(replace(branch, pending=()).points), None)
-        return None
 
     def falls(self, at: tuple[Point, int]) -> bool:
         """Whether a posture belongs to the locus."""

@@ -251,9 +251,13 @@ class Postures:
         return point
 
     def excluded(self, way: Way) -> bool:
-        """Whether a divisor of a way, which is 0 nowhere there, is 0 all over it."""
-        for _ in range(POINTS):
+        """Whether a divisor of a way, which is 0 nowhere there, is 0 all over it.
+
+        Whatever solutions in numbers are chosen.
+        """
+        for sheet in range(self._enough(way)):
             point, after = self._drawn(), Way()
+            point.sheet = sheet
             for step in reversed(way.steps):
                 if self.moved(point, after).value(read(step.over)) == 0:
                     break

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
+from screwkit.algebra.branches import Branch
 from screwkit.algebra.eliminated_sums import sums_without, without_square_roots
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.linear_systems import has_solutions, linear_systems
@@ -75,6 +76,55 @@ def implied_equation(known: Conditions, place: Place) -> Sum | None:
             factors = known.factors(branch, found.value)
             return Sum(_terms(place, numbers, found), tuple(factors))
     return None
+
+
+def paired_equation(known: Conditions, place: Place) -> Sum | None:
+    """An equation of a component as a sum of the two conditions of a half-angle factor.
+
+    The conditions are h·sin(φ/2) and h·cos(φ/2), so that the sum of their squares is
+    h², and the equation is h times something.
+    """
+    branch = place.branch
+    if len(branch.pending) < 2:
+        return None
+    held = {str(primitive(p.value)): n for n, p in enumerate(branch.pending)}
+    for equations in known.problem.components:
+        for value in followed(branch, equations)[0]:
+            for own, _ in known.factors(branch, value) if value != 0 else ():
+                places = [held.get(str(primitive(e)), -1) for e in own.equations]
+                if len(places) < 2 or min(places) < 0:
+                    continue
+                found = _as_a_sum(known, branch, value, own.equations, places)
+                if found is not None:
+                    numbers = [place.number(pending) for pending in branch.pending]
+                    whole = Factor(f"whole {value}", (primitive(value),))
+                    return Sum(_terms(place, numbers, found), ((whole, 1),))
+    return None
+
+
+def _as_a_sum(
+    known: Conditions,
+    branch: Branch,
+    value: Polynomial,
+    equations: Sequence[Polynomial],
+    places: Sequence[int],
+) -> Combination | None:
+    """A value as a sum of multiples of the two equations of its half-angle factor."""
+    ring = branch.ring
+    square = ring.normal(sum((e * e for e in equations), ring.zero))
+    times = [ring.zero] * len(branch.pending)
+    total = ring.zero
+    for equation, place in zip(equations, places, strict=True):
+        multiplier = known.quotient(ring.normal(value * equation), square)
+        if multiplier is None:
+            return None
+        condition = branch.pending[place].value
+        number = equation.leading_coefficient() / condition.leading_coefficient()
+        times[place] = multiplier * number
+        total += times[place] * condition
+    if ring.normal(total) != value:
+        return None
+    return Combination(value, tuple(times))
 
 
 def sum_without_angles(known: Conditions, place: Place) -> Sum | None:
