@@ -13,6 +13,7 @@ from functools import cache
 from typing import Any
 
 from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.modular import (
     ModularRing,
     ResampleError,
@@ -143,7 +144,7 @@ def _up_to_factor(text: str) -> str:
     probability below degree/2⁶⁰ [Schwartz1980].
     """
     try:
-        expression = parse(text)
+        expression = parse(text, limits=RESULT_LIMITS)
         values = [int(evaluate(expression, _NamedPoint(n))) for n in range(3)]
     except (ExpressionError, ResampleError, ZeroDivisionError, KeyError):
         return text

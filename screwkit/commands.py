@@ -259,6 +259,7 @@ def schemes(
     length: Length = None,
     add: Add = False,
     every: Every = False,
+    certificate: CertificateFile = None,
     output: SchemesFile = None,
     variant: Variant = None,
     set_values: Setting = None,
@@ -279,6 +280,7 @@ def schemes(
         size=size,
         work=work,
         candidates=freedoms_or_none("--candidates", candidates),
+        certificate=None if certificate is None else True,
         **extras(add, rank, within, length),
     )
     from screwkit import delivery  # noqa: PLC0415
@@ -286,7 +288,7 @@ def schemes(
     answer(
         replace(
             request,
-            change=delivery.only_balanced if balanced else None,
+            change=delivery.changed_schemes(certificate, balanced=balanced),
             show=delivery.show_all if every else None,
             deliver=None if output is None else delivery.deliver_schemes(output),
         )

@@ -12,7 +12,7 @@ import json
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from screwkit.errors import MissingToolError, ScrewkitError
 from screwkit.results.analysis import Analysis
@@ -22,6 +22,7 @@ from screwkit.results.schemes import Ranking, Schemes
 from screwkit.results.singularities import Singularities
 from screwkit.results.view import View
 
+Certified = TypeVar("Certified", Singularities, Schemes)
 Delivery = Callable[[Any], list[str]]
 
 
@@ -39,10 +40,25 @@ def only_balanced(answer: Schemes) -> Schemes:
     return replace(answer, schemes=even, ranking=order)
 
 
-def written_certificate(path: Path) -> Callable[[Singularities], Singularities]:
+def changed_schemes(
+    certificate: Path | None, *, balanced: bool
+) -> Callable[[Schemes], Schemes] | None:
+    """What becomes of an answer: its certificate is written, its list made shorter."""
+    if certificate is None:
+        return only_balanced if balanced else None
+    write = written_certificate(certificate)
+
+    def change(answer: Schemes) -> Schemes:
+        written: Schemes = write(answer)
+        return only_balanced(written) if balanced else written
+
+    return change
+
+
+def written_certificate(path: Path) -> Callable[[Certified], Certified]:
     """Write the certificate of an answer; the answer then says where it is."""
 
-    def change(answer: Singularities) -> Singularities:
+    def change(answer: Certified) -> Certified:
         from screwkit.reports.output import write  # noqa: PLC0415
 
         write(path, answer.certificate or "")

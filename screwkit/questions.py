@@ -255,6 +255,7 @@ def schemes(
     within: Sequence[str] = (),
     length: str = "",
     add: bool = False,
+    certificate: bool = False,
 ) -> Schemes:
     """Every actuation scheme of a size, admissible or why not.
 
@@ -275,50 +276,46 @@ def schemes(
             default.
         add: Find which added actuators remove which singularities of the declared
             scheme.
+        certificate: Write down, for `verify`, which schemes hold the platform.
 
     Raises:
         UnknownNameError: If a candidate or a symbol is unknown.
+        UndecidedError: If a certificate is asked for where loops tie joint variables.
         ExpressionError: If a range is none, or the length is no positive constant.
     """
     from screwkit.analyses import schemes as analysis  # noqa: PLC0415
+    from screwkit.verification import need_free_joints, with_certificate  # noqa: PLC0415
 
     case.need_held_platform()
     graph = case.graph
+    if certificate:
+        need_free_joints(case)
     if case.network.tied and not case.wanted:
         from screwkit.analyses.tied_branch import tied_graph  # noqa: PLC0415
 
         graph = tied_graph(case.network)
     else:
         _need_exact_posture(case)
-    terms = analysis.WORK if work is None else work
-    if graph is not None:
-        from screwkit.analyses.graph_schemes import graph_schemes  # noqa: PLC0415
-
-        answer = graph_schemes(
-            graph,
-            size,
-            candidates,
-            balanced,
-            progress,
-            terms,
-            finished,
-            _ranked(case, rank, within, length) if rank else None,
-            add,
-        )
-        free = case.network.has_symbols or bool(case.network.tied)
-        return replace(answer, one_posture=not free)
-    answer = analysis.schemes(
-        case.assembly,
+    asked = (
         size,
         candidates,
         balanced,
         progress,
-        terms,
+        analysis.WORK if work is None else work,
         finished,
         _ranked(case, rank, within, length) if rank else None,
         add,
     )
-    return replace(answer, one_posture=not case.network.has_symbols)
+    free = case.network.has_symbols
+    if graph is not None:
+        from screwkit.analyses.graph_schemes import graph_schemes  # noqa: PLC0415
+
+        answer = graph_schemes(graph, *asked)
+        free = free or bool(case.network.tied)
+    else:
+        answer = analysis.schemes(case.assembly, *asked)
+    answer = replace(answer, one_posture=not free)
+    return with_certificate(case, answer) if certificate else answer
 
 
 def _ranked(

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import secrets
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from screwkit.errors import MechanismFileError, ScrewkitError
+from screwkit.errors import MechanismFileError, ScrewkitError, UndecidedError
 from screwkit.progress import Progress, silent
+from screwkit.results.schemes import Schemes
 from screwkit.results.singularities import Singularities
 from screwkit.results.verification import Verification, VerifiedPart
 
@@ -60,6 +62,44 @@ def certificate_of(
     else:
         found = certified(case.assembly, answer, source, version(), progress)
     return to_text(found)
+
+
+def need_free_joints(case: Case) -> None:
+    """Refuse a certificate of schemes where loops tie joint variables.
+
+    Raises:
+        UndecidedError: If they do.
+    """
+    if case.network.tied:
+        raise UndecidedError(
+            f"{case.network.tied}; no certificate of schemes can be written there yet; "
+            "without --certificate this question is answered"
+        )
+
+
+def with_certificate(case: Case, answer: Schemes) -> Schemes:
+    """An answer of `schemes` with its certificate, as the text of its document.
+
+    Args:
+        case: As loaded from a file.
+        answer: Of this case.
+
+    Raises:
+        CertificateError: If the case was not read from a file, or there is no scheme.
+    """
+    from screwkit.certificates.scheme_certification import (  # noqa: PLC0415
+        certified_schemes,
+    )
+    from screwkit.certificates.written import to_text  # noqa: PLC0415
+    from screwkit.kinematics.whole_graph import WholeGraph  # noqa: PLC0415
+    from screwkit.reports.records import version  # noqa: PLC0415
+
+    if not answer.schemes:
+        raise CertificateError("there is no scheme that a certificate could speak of")
+    blocks = case.graph is None and case.assembly.has_blocks
+    graph = WholeGraph(case.mechanism) if blocks else case.graph
+    found = certified_schemes(graph or case.assembly, answer, _source(case), version())
+    return replace(answer, certificate=to_text(found))
 
 
 def _source(case: Case) -> Source:
@@ -118,14 +158,17 @@ def verify(
         found = check(document, carried, secrets.randbits(64))
     except (RefusedError, ScrewkitError) as refusal:
         return Verification(document.case, carried.title, False, (), str(refusal))
-    parts = _parts(document, found)
+    parts, schemes = _parts(document, found), document.schemes
+    missing = missing_from(document.parts, carried, secrets.randbits(64))
     return Verification(
         document.case,
         carried.title,
         True,
         parts,
         assumptions=assumed,
-        missing=missing_from(document.parts, carried, secrets.randbits(64)),
+        missing=() if schemes and not parts else missing,
+        schemes=0 if schemes is None else len(schemes.schemes),
+        admissible=sum(own.freedom == 0 for own in schemes.schemes) if schemes else 0,
     )
 
 
@@ -196,4 +239,5 @@ def _nodes(node: Node) -> int:
     for case in node.cases:
         below += sum(_nodes(sheet.node) for sheet in case.sheets)
         below += 0 if case.kept is None else _nodes(case.kept)
+    below += sum(_nodes(fallen) for own in node.limbs for fallen in own.fallen)
     return 1 + below

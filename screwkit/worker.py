@@ -32,6 +32,12 @@ TARGETS: Final = {
     "analyze": "screwkit.questions:analyze",
 }
 
+# The words of the C library: https://sourceware.org/git/glibc.git, elf/dl-load.c.
+_NO_ROOM: Final = (
+    "failed to map segment from shared object",
+    "Cannot allocate memory",
+)
+
 
 @dataclass(frozen=True)
 class Job:
@@ -142,8 +148,8 @@ def _refusal(kind: str, message: str, **more: Any) -> dict[str, Any]:
 
 
 def _unloaded(error: ImportError, memory: int | None) -> dict[str, Any]:
-    """A library that is missing is a defect; one that does not fit is not."""
-    if memory is None or isinstance(error, ModuleNotFoundError):
+    """A library that is broken or missing is a defect; one that does not fit is not."""
+    if memory is None or not _wants_room(error):
         text = f"{type(error).__name__}: {error}"
         return _refusal("defect", text, trace=traceback.format_exc())
     return _refusal(
@@ -151,6 +157,21 @@ def _unloaded(error: ImportError, memory: int | None) -> dict[str, Any]:
         f"the libraries alone do not fit into {memory / 2**30:.2g} GB; "
         f"raise the limit (--memory)",
     )
+
+
+def _wants_room(error: BaseException | None) -> bool:
+    """Whether a library failed to load because there was no memory for it.
+
+    Libraries that try several ways, as numpy does, hide the first error behind an
+    own one.  Where the system names a reason besides memory, such as a folder from
+    which nothing may be run, that is meant.
+    """
+    while error is not None:
+        said = str(error)
+        if isinstance(error, MemoryError) or said.endswith(_NO_ROOM):
+            return True
+        error = error.__cause__ or error.__context__
+    return False
 
 
 def _answer(job: Job, send: Callable[[Mapping[str, Any]], None]) -> Any:

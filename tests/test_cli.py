@@ -462,6 +462,22 @@ def test_a_certificate_is_written_and_checked(
     assert screwkit("verify", str(tmp_path / "none.json")) == 2
 
 
+def test_a_certificate_speaks_of_all_schemes_though_some_are_listed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "schemes.json"
+    words = ("schemes", "five_bar", "--balanced", "--json", "--certificate", str(path))
+    assert screwkit(*words) == 0
+    printed = json.loads(capsys.readouterr().out)
+    assert printed["certificate"] == str(path)
+    document = json.loads(path.read_text(encoding="utf-8"))
+    claims = document["schemes"]["schemes"]
+    assert len(claims) == printed["total"] > len(printed["schemes"])
+    assert screwkit("verify", str(path), "five_bar") == 0
+    said = f"{len(claims)} schemes: {printed['admissible']} admissible"
+    assert said in capsys.readouterr().out
+
+
 def test_help_is_quick_and_light() -> None:
     heavy = ("sympy", "flint", "networkx", "pydantic", "numpy", "scipy")
     program = (

@@ -101,6 +101,23 @@ def test_the_memory_limit_is_kept() -> None:
 
 @pytest.mark.parametrize(
     ("name", "kind"),
+    [
+        ("without_room", "undecided"),
+        ("without_room_inside", "undecided"),
+        ("broken_import", "defect"),
+        ("nothing_may_run", "defect"),
+    ],
+)
+def test_only_what_finds_no_room_asks_for_more_memory(name: str, kind: str) -> None:
+    target = f"reports.fake_analyses:{name}"
+    outcome = run(Job("mobility", "", target=target, memory=4 << 30))
+    assert isinstance(outcome, Refused)
+    assert outcome.kind == kind
+    assert ("do not fit into 4 GB" in outcome.message) == (kind == "undecided")
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
     [("too_large", "undecided"), ("wrong_file", "file"), ("defective", "defect")],
 )
 def test_refusals_keep_their_kind(name: str, kind: str) -> None:

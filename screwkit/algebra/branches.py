@@ -25,7 +25,7 @@ from screwkit.algebra.points import (
     residue,
     with_extensions,
 )
-from screwkit.algebra.points_on import moved_onto, root_in
+from screwkit.algebra.points_on import angles_in_numbers, moved_onto
 from screwkit.algebra.substitution import (
     Substitution,
     reduced,
@@ -210,8 +210,10 @@ class Branch:
         point = random_point(self.ring, source, prime)
         if point is None:
             return None
-        fixed: set[int] = set()
-        values = [p.value for p in self.pending]
+        names = angles_in_numbers(self.ring, self.steps, point, source, prime)
+        if names is None:
+            return None
+        values = [p.value.subs(names) for p in self.pending]  # no number is moved
         nonzero = self.nonzero
         solved = moved_onto(
             self.ring,
@@ -235,12 +237,6 @@ class Branch:
             return None
         point = whole
         for step in reversed(self.steps):
-            if step.relation is not None and step.relation[0] not in fixed:
-                index, _, polynomial = step.relation
-                root = root_in(polynomial, index, point, source, prime)
-                if root is None:
-                    return None
-                point[index] = root
             divisor = residue(step.divisor, point, prime)
             if not divisor:
                 return None
@@ -248,10 +244,10 @@ class Branch:
             images = [(i, residue(p, point, prime)) for i, p in step.images]
             for index, image in images:
                 point[index] = image * inverse % prime
-                fixed.add(index)
         found = with_extensions(self.ring, point, prime)
         # A step may have moved what stands under a root.
-        checked = [*values, *(self.conditions if self.ring.radicands else ())]
+        checked = [p.value for p in self.pending]
+        checked += self.conditions if self.ring.radicands else ()
         checked += [value for p in self.pending for value in p.beside]
         if found is None or any(residue(value, found, prime) for value in checked):
             return None
@@ -260,12 +256,28 @@ class Branch:
 
     @cached_property
     def is_empty(self) -> bool:
-        """Whether its steps make a symbol 0 that is not 0."""
+        """Whether its conditions make a symbol 0 that is not 0."""
+        return self.vanishing_symbol is not None or any(
+            divmod(value, pending.value)[1] == 0
+            for value in self._replaced.values()
+            for pending in self.pending
+        )
+
+    @cached_property
+    def vanishing_symbol(self) -> str | None:
+        """A symbol that its steps make 0 although it is not 0."""
+        first = self.ring.symbol_indices().start
+        zero = (
+            self.ring.symbols[i - first] for i, v in self._replaced.items() if not v
+        )
+        return next(zero, None)
+
+    @cached_property
+    def _replaced(self) -> dict[int, Polynomial]:
+        """What the steps make of symbols that are not 0."""
         moved = {index for step in self.steps for index, _ in step.images}
         gens = self.ring.context.gens()
-        return any(
-            index in moved and self.value(gens[index]) == 0 for index in self.nonzero
-        )
+        return {i: self.value(gens[i]) for i in self.nonzero if i in moved}
 
     @cached_property
     def nonzero(self) -> tuple[int, ...]:
@@ -318,16 +330,10 @@ def restricted(
     else:
         steps = steps_of(ring, branch.assumptions, condition)
     if steps is None:
-        return [
-            replace(
-                branch,
-                conditions=conditions,
-                pending=(
-                    *branch.pending,
-                    Pending(condition, condition, companions, companions),
-                ),
-            )
-        ]
+        fresh = Pending(condition, condition, companions, companions)
+        together = (*branch.pending, fresh)
+        unsolved = replace(branch, conditions=conditions, pending=together)
+        return [] if unsolved.is_empty else [unsolved]
     found = []
     for step in steps:
         pending = still_pending(branch, step)

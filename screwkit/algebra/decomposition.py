@@ -34,6 +34,7 @@ from screwkit.algebra.nowhere_zero import (
 )
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import coefficients_in, unknowns
+from screwkit.algebra.proved_inside import left_over
 from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.search import (
     Decomposition,
@@ -158,7 +159,15 @@ def _beside_what_is_skipped(
 
     It is skipped for its points; where conditions are pending these lie on one part.
     """
-    if len(branch.pending) < 2 or not search.beside:
+    if len(branch.pending) < 2:
+        return
+    systems = left_over(branch, search.inside(branch))
+    if systems is not None:
+        before = branch
+        for pending in branch.pending:
+            before = without(before, pending)
+        for system in systems:
+            _descend(before, [*system, *polynomials], list(nonzero), search)
         return
     parts = other_parts(branch, search)
     if parts is None:

@@ -7,7 +7,7 @@ the grammar.  Python's keywords mean nothing here: ``lambda`` is a good name.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from difflib import get_close_matches
 from typing import Final
 
@@ -92,3 +92,24 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
         folded = {option.casefold(): option for option in candidates}
         near = [folded[name.casefold()]] if name.casefold() in folded else []
     return f" (did you mean {near[0]!r}?)" if near else ""
+
+
+_SOME = 12
+"""Names up to which a message lists them all."""
+
+
+def meant_or_all(name: str, known: Collection[str]) -> str:
+    """The nearest known name, or which there are where none is near.
+
+    >>> meant_or_all("anckle", ["ankle", "knee"])
+    " (did you mean 'ankle'?)"
+    >>> meant_or_all("Z", ["A", "B"]), meant_or_all("Z", ["A"]), meant_or_all("Z", [])
+    ('; there are A, B', '; there is only A', '; there is none')
+    """
+    hint = did_you_mean(name, known)
+    if hint or not known:
+        return hint or "; there is none"
+    if len(known) == 1:
+        return f"; there is only {next(iter(known))}"
+    more = ", …" if len(known) > _SOME else ""
+    return f"; there are {', '.join([*known][:_SOME])}{more}"

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.constant_multiples import is_number
 from screwkit.algebra.division import Divisor
 from screwkit.algebra.half_angle import HalfAngles
 from screwkit.algebra.points import residue
@@ -41,7 +42,7 @@ def without_nowhere_zero(
     order = sorted(range(len(entries)), key=lambda i: len(entries[i]))
     order = [i for i in order if entries[i] != 0]
     for polynomial in sorted(nonvanishing, key=len, reverse=True):
-        if polynomial.is_constant():
+        if is_number(ring, polynomial):  # √3 divides everything, time and again
             continue
         divisor = Divisor(polynomial, ring, halves, layout)
         while True:

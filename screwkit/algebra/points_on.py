@@ -16,6 +16,7 @@ from flint import nmod_poly
 from screwkit.algebra.common_root import common_root
 from screwkit.algebra.linear_systems import has_solutions, linear_systems, solved_at
 from screwkit.algebra.points import Point, random_angle, residue
+from screwkit.algebra.substitution import Substitution
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 
@@ -312,6 +313,27 @@ def _in_symbol(polynomial: Polynomial, index: int, point: Point, prime: int) -> 
     }
     dense = [coefficients.get(k, 0) for k in range(max(coefficients) + 1)]
     return nmod_poly(dense, prime)
+
+
+def angles_in_numbers(
+    ring: TrigonometricRing,
+    steps: Sequence[Substitution],
+    point: Point,
+    source: random.Random,
+    prime: int,
+) -> dict[str, int] | None:
+    """Roots for angles solved in numbers, put into a point; None without one."""
+    found: dict[str, int] = {}
+    solved: set[int] = set()
+    for step in reversed(steps):
+        if step.relation is not None and step.relation[0] not in solved:
+            index, _, polynomial = step.relation
+            root = root_in(polynomial, index, point, source, prime)
+            if root is None:
+                return None
+            point[index] = found[ring.names[index]] = root
+        solved.update(index for index, _ in step.images)
+    return found
 
 
 def root_in(

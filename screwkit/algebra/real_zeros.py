@@ -3,7 +3,8 @@
 A polynomial whose terms all have one sign is zero only where all of them are.  Which
 terms a trigonometric polynomial has depends on how 1 = s² + c² is used, so it is made
 homogeneous in the angles too.  1 − cos p·cos q is another such polynomial, and
-a·sin φ + b·cos φ + e where e² − a² − b² is a square.
+a·sin φ + b·cos φ + e where e² − a² − b² is a square, and what is quadratic in a symbol
+may be two squares (`completed_squares`).
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from __future__ import annotations
 from typing import Any
 
 from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.completed_squares import completed_square
 from screwkit.algebra.remembered import remembered
 from screwkit.algebra.solved_text import root_of_square
 from screwkit.algebra.substitution import angle_parts
@@ -42,7 +44,11 @@ def vanishing_together(
     for written in (polynomial, _homogeneous(ring, polynomial)):
         if len(written) > 1 and assumptions.has_one_sign(ring, written):
             return [_radical(ring, m) for m in _monomials(ring, written)]
-    return _extremal(ring, polynomial) or _touching(ring, polynomial)
+    return (
+        _extremal(ring, polynomial)
+        or _touching(ring, polynomial)
+        or completed_square(ring, assumptions, polynomial)
+    )
 
 
 def _touching(

@@ -39,7 +39,8 @@ class Scaled:
     def unscaled(self, factor: Polynomial) -> tuple[Polynomial, bool]:
         """A factor in the symbols themselves, and whether √d was multiplied to it.
 
-        Of the two multiples the one with fewer irrational terms is taken.
+        Of the two multiples the one with fewer irrational terms is taken.  The factor
+        may contain √d: 3·y′² − 1 is rational, and splits over Q(√3).
         """
         terms = factor.to_dict()
         degree = max(self._degree(exponents) for exponents in terms)
@@ -60,8 +61,8 @@ class Scaled:
         context = self.ring.context
         moved = {}
         for exponents, coefficient in factor.to_dict().items():
-            left = power - self._degree(exponents)
             key = [int(e) for e in exponents]
+            left = power - self._degree(exponents) + key[self.root]
             key[self.root] = left & 1
             moved[tuple(key)] = coefficient * self.square ** (left >> 1)
         return context.from_dict(moved)

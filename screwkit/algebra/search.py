@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from screwkit.algebra.branches import (
@@ -48,9 +48,9 @@ class Search:
     Zeros of ``away``, in the generators of the whole ring, are not looked for: they
     are known, and what is asked is divided by them.  With ``deepest`` parts of larger
     codimension are left out: where as many equations are asked, they are no parts of
-    their own (Krull), as long as zeros are not replaced by their real ones.  Without
-    ``beside`` what is skipped for its points is skipped as a whole, even where several
-    pending conditions may have parts that points do not show.
+    their own (Krull), as long as zeros are not replaced by their real ones.  What is
+    skipped for its points may have parts, of several pending conditions, that these do
+    not show: ``inside`` gives the equations of known sets that the points lie in.
     """
 
     library: FactorLibrary
@@ -65,7 +65,7 @@ class Search:
     every_part: bool = False
     away: tuple[Polynomial, ...] = ()
     deepest: int | None = None
-    beside: bool = True
+    inside: Callable[[Branch], Iterable[Sequence[Polynomial]]] = lambda branch: ()
 
 
 def irreducible_parts(branch: Branch, search: Search) -> list[Branch]:
@@ -85,9 +85,14 @@ def irreducible_parts(branch: Branch, search: Search) -> list[Branch]:
 def refined(branch: Branch, search: Search) -> list[Branch] | None:
     """The branch with pending conditions that later steps made reducible split up.
 
-    None where all of them are still irreducible.
+    None where all of them are still irreducible, and no two the same.
     """
+    seen: set[str] = set()
     for pending in branch.pending:
+        text = str(primitive(pending.value))
+        if text in seen and not pending.beside:
+            return [without(branch, pending)]
+        seen.add(text)
         if len(pending.value) > search.largest:
             continue
         if pending.companions:

@@ -82,9 +82,10 @@ def _after(branch: Branch, condition: Polynomial, step: Substitution) -> Branch 
     pending = still_pending(branch, step)
     if pending is None:
         return None
-    return replace(
+    solved = replace(
         branch,
         conditions=(*branch.conditions, condition),
         steps=(*branch.steps, step),
         pending=pending,
     )
+    return None if solved.is_empty else solved

@@ -147,6 +147,30 @@ def made_a_sum(
         conditions: The conditions.
         usable: Whether to multiply with a leading coefficient of a condition.
     """
+    found = _as_sum(ring, equation, conditions, usable)
+    if found is None:
+        return None
+    return Combination(ring.normal(found.value * equation), found.times)
+
+
+def multiplier(
+    ring: TrigonometricRing,
+    equation: Polynomial,
+    conditions: Sequence[Polynomial],
+    usable: Callable[[Polynomial], bool],
+) -> Polynomial | None:
+    """What `made_a_sum` multiplies an equation with; None where it finds nothing."""
+    found = _as_sum(ring, equation, conditions, usable)
+    return None if found is None else found.value
+
+
+def _as_sum(
+    ring: TrigonometricRing,
+    equation: Polynomial,
+    conditions: Sequence[Polynomial],
+    usable: Callable[[Polynomial], bool],
+) -> Combination | None:
+    """With the multiplier in place of the sum."""
     waiting = [(0, 0, equation, ring.one, (ring.zero,) * len(conditions))]
     seen: set[str] = set()
     order = count(1)
@@ -165,7 +189,7 @@ def made_a_sum(
                     exact = exact_quotient(left, other)
                     if exact is not None:
                         done = _plus(ring, sums, last, exact)
-                        return Combination(ring.normal(whole * equation), done)
+                        return Combination(whole, done)
                 cost = len(left) + len(whole)
                 heappush(waiting, (cost, next(order), left, whole, sums))
     return None

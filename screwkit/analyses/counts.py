@@ -79,6 +79,8 @@ def counts(
             f"{redundant} of the {equations * loops} closure equations {verb} from "
             f"the others"
         )
+    if redundant and not rank:
+        remark = f"none of the {redundant} closure equations restrains a joint"
     workings = [
         Working(
             "Grübler–Kutzbach",

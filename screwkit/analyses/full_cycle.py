@@ -15,6 +15,7 @@ from screwkit.finite.finite_proofs import (
     Proof,
     UpperBound,
     proved_mobility,
+    rests_on_contacts,
     upper_bound,
 )
 from screwkit.finite.idle_freedoms import idle_freedoms
@@ -23,6 +24,11 @@ from screwkit.finite.near_motion import near_motion
 from screwkit.finite.sampling import sampled_motion
 from screwkit.kinematics.network import Motion, Network
 from screwkit.results.mobility import FullCycle, MotionBranch
+
+_NO_ROLLING = (
+    "contacts are taken to keep their points and normals: what rolling would change is "
+    "not known"
+)
 
 OUT_OF_PLANE = 2
 """Couples about axes in the plane, of which planar files do not speak."""
@@ -54,7 +60,10 @@ def full_cycle(
         return FullCycle("proved", proof.mobility, told, (exact,)), None
     sample = sampled_motion(at, generic=bool(mechanism.parameters))
     if proof is None:
-        return _bounded(cycle_of(network, sample), upper_bound(network, at)), sample
+        cycle = bounded(cycle_of(network, sample), upper_bound(network, at))
+        if rests_on_contacts(network, at):
+            cycle = replace(cycle, reason=f"{cycle.reason}; {_NO_ROLLING}")
+        return cycle, sample
     branches = _branches(network, sample)
     if {branch.mobility for branch in branches} - set(proof.mobility):
         branches = ()  # a sample that went elsewhere proves nothing
@@ -85,7 +94,7 @@ def _exact_branch(network: Network, at: Motion, proof: Proof) -> MotionBranch | 
         return None
     loop_rank = len(network.labels) - len(at.locked) - found.mobility
     branch = FiniteBranch(
-        mobility=proof.mobility[0],
+        mobility=proof.mobility[-1],
         instantaneous_mobility=found.mobility,
         loop_rank=loop_rank,
         redundant_constraints=len(network.rows) * len(network.loops) - loop_rank,
@@ -166,7 +175,7 @@ def _all_closed(network: Network, at: Motion) -> FullCycle:
     return FullCycle("proved", (at.mobility,), reason)
 
 
-def _bounded(cycle: FullCycle, bound: UpperBound | None) -> FullCycle:
+def bounded(cycle: FullCycle, bound: UpperBound | None) -> FullCycle:
     """Samples beside what is proved: the bound is told where they leave all open."""
     if bound is None:
         return cycle

@@ -27,6 +27,7 @@ from screwkit.loci.graph_loci import (
 )
 from screwkit.loci.graph_witness import GraphWitnesses
 from screwkit.loci.meanings import Meanings
+from screwkit.loci.mechanism_figures import axes_of
 from screwkit.loci.pieces import Piece
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
@@ -83,7 +84,8 @@ def graph_singularities(
 def _meanings(graph: WholeGraph) -> Meanings | None:
     if len(graph.framed.joints) > _NAMED:
         return None
-    return Meanings(graph.framed, graph.root, graph.library)
+    given = graph.framed, graph.root, graph.library
+    return Meanings(*given, axes_of(*given))
 
 
 def _size(graph: WholeGraph) -> int:

@@ -20,7 +20,9 @@ from screwkit.kinematics.told_parts import own_parts
 from screwkit.loci.exact_equations import Singularity, with_exact_equations
 from screwkit.loci.hybrid_strata import HybridStrata, generic_motion, hybrid_strata
 from screwkit.loci.meanings import Meanings
-from screwkit.loci.open_branches import undecided
+from screwkit.loci.mechanism_figures import axes_of
+from screwkit.loci.pieces import Piece
+from screwkit.loci.searching_again import searched_again
 from screwkit.loci.strata import LimbStrata, limb_strata
 from screwkit.results.singularities import LimbSingularities
 
@@ -50,7 +52,7 @@ def hybrid_limb(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
     framed = assembly.limb_twists[limb.name]
     root, library = assembly.root(framed.ring), assembly.library(framed.ring)
     strata = _strata(assembly, limb)
-    meanings = Meanings(framed, root, library)
+    meanings = Meanings(framed, root, library, axes_of(framed, root, library))
     parts, height = own_parts(assembly, limb)
     generic = strata.strata[0].dimension
 
@@ -58,27 +60,28 @@ def hybrid_limb(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
         motion = generic_motion([branch], parts, height)
         return motion is not None and motion.dimension < generic
 
-    exact = with_exact_equations(
-        [piece for piece, _ in strata.narrow],
-        Singularity(
-            root, partial(loop_columns, [parts, ()], height), is_singular, library
-        ),
+    def dimension(piece: Piece) -> int:
+        motion = generic_motion(piece.branches, parts, height)
+        return generic if motion is None else motion.dimension
+
+    singular = Singularity(
+        root, partial(loop_columns, [parts, ()], height), is_singular, library
     )
-    dimensions = [dimension for _, dimension in strata.narrow]
+    found = searched_again(
+        strata.narrow, partial(with_exact_equations, singular=singular)
+    )
     components = tuple(
-        limb_component(piece, dimension, meanings, assembly.dimension)
-        for piece, dimension in zip(exact.pieces, dimensions, strict=True)
+        limb_component(piece, dimension(piece), meanings, assembly.dimension)
+        for piece in found.exact.pieces
     )
-    left = undecided(strata.open) if strata.open else ""
-    complete = not strata.open and not exact.uncertain
     return LimbSingularities(
         limb=limb.name,
         joints=limb.joints,
         generic_rank=generic,
-        complete=complete,
+        complete=found.complete,
         components=components,
-        proof=_proof(strata) if complete else "",
-        reason="; ".join(filter(None, [left, exact.reason])),
+        proof=_proof(strata) if found.complete else "",
+        reason=found.reason,
     )
 
 

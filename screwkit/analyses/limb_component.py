@@ -25,6 +25,6 @@ def limb_component(
         solutions=all_solutions(piece),
         solved=solved_equations(piece),
         rank=rank,
-        geometry=meanings.of(piece) if meanings else None,
+        geometry=meanings.of_limb(piece) if meanings else None,
         wrench_dimension=dimension - rank,
     )

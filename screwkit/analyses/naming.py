@@ -233,6 +233,16 @@ class _Words:
         words = added_words(one.joint, one.kind, axis)
         return AddedFreedom(one.joint, one.kind, axis, point, words)
 
+    def _is_leg(self, joints: Sequence[str], bodies: Sequence[str]) -> bool:
+        """Whether the joints lead from these bodies to more than one other body."""
+        ends = {
+            link
+            for joint in self._network.mechanism.joints
+            if joint.name in joints
+            for link in (joint.parent, joint.child)
+        }
+        return len(ends.difference(bodies)) > 1
+
     def freedom(self, number: int) -> RemainingFreedom:
         """A remaining freedom in words."""
         one, other = self._one.freedoms[number], self._other.freedoms[number]
@@ -241,7 +251,8 @@ class _Words:
         text = self._screw((one.twist, other.twist), joints) if one.twist else None
         if one.idle or text is None:
             through = self._met(one.twist, joints) if one.twist else []
-            words = idle_words(text, joints, one.bodies, through, self._rests)
+            leg = self._is_leg(joints, one.bodies)
+            words = idle_words(text, joints, one.bodies, through, self._rests, leg=leg)
         else:
             words = platform_words(text, joints, self._movable)
         return RemainingFreedom(

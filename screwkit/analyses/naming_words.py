@@ -122,6 +122,8 @@ def idle_words(
     bodies: Sequence[str],
     through: Sequence[str],
     rests: str = ", the platform rests",
+    *,
+    leg: bool = True,
 ) -> str:
     """A freedom at which the platform rests.
 
@@ -131,10 +133,13 @@ def idle_words(
         bodies: Those that move.
         through: Joints whose points lie apart on the axis of a rotation.
         rests: What to add where it does not go without saying.
+        leg: Whether the bodies lie between two others, not beside a single one.
 
     >>> spin = ScrewTexts("line", ("0", "0", "1"), ("0", "0", "0"), "0")
     >>> idle_words(spin, ["S1", "S2"], ["rod"], ["S1", "S2"])
     'leg spin: S1 and S2 turn together, rod spins about its own axis'
+    >>> idle_words(spin, ["high", "low"], ["door"], ["high", "low"], leg=False)
+    'high and low turn together: door rotates about the line through high and low'
     >>> idle_words(None, ["A", "B", "C"], ["crank", "rod"], [])
     'A, B and C move together: crank and rod move, the platform rests'
     """
@@ -144,7 +149,11 @@ def idle_words(
     if not bodies:
         return f"the freedoms of {listed(joints)} cancel: no body moves"
     if text is not None and text.kind == "line" and len(through) > 1:
-        axis = "its own axis" if one else f"the line through {listed(through)}"
+        line = f"the line through {listed(through)}"
+        if not leg:
+            rotates = "rotates" if one else "rotate"
+            return f"{listed(joints)} {together}: {moving} {rotates} about {line}"
+        axis = "its own axis" if one else line
         spins = "spins" if one else "spin"
         return f"leg spin: {listed(joints)} {together}, {moving} {spins} about {axis}"
     how = "" if len(joints) == 1 else " together"

@@ -17,6 +17,7 @@ from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.hybrid_actuation import hybrid_actuation_locus
 from screwkit.loci.limb_extensors import Content, Minor
 from screwkit.loci.meanings import Meanings
+from screwkit.loci.mechanism_figures import axes_of
 from screwkit.loci.passive import PassiveSystem, Ranks
 from screwkit.loci.pieces import Piece
 from screwkit.loci.witness import Witnesses
@@ -207,7 +208,8 @@ class LociOfSchemes:
 
     def factors(self) -> tuple[LocusFactor, ...]:
         """Every factor that occurred, with its meaning."""
-        meanings = Meanings(self.assembly.common_twists, self.root, self.library)
+        given = self.assembly.common_twists, self.root, self.library
+        meanings = Meanings(*given, axes_of(*given))
         found = []
         for key, count in self.counts.most_common():
             f = self.seen[key]

@@ -24,6 +24,7 @@ from screwkit.kinematics.limb_parts import Parts
 from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.kinematics.told_parts import told_parts
 from screwkit.loci.actuation import actuation_locus
+from screwkit.loci.actuation_locus import ActuationLocus
 from screwkit.loci.canonical import in_known_conditions
 from screwkit.loci.exact_equations import (
     ExactPieces,
@@ -42,6 +43,7 @@ from screwkit.loci.loop_drop import (
     rank_is_lost,
 )
 from screwkit.loci.meanings import Meanings
+from screwkit.loci.mechanism_figures import axes_of, figures_of
 from screwkit.loci.pieces import Piece, pieces_of, told_apart
 from screwkit.loci.rank_drop import RankDrop, generic_rank
 from screwkit.loci.searching_again import searched_again
@@ -57,6 +59,7 @@ from screwkit.results.singularities import (
     LimbSingularities,
     Singularities,
 )
+from screwkit.results.superbracket import Superbracket
 
 
 def singularities(
@@ -108,7 +111,7 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
     found = limb_pieces(assembly, limb, [root])
     pieces = _in_order(found.exact.pieces)
     (drop,) = found.last.drops
-    meanings = Meanings(framed, root, library)
+    meanings = Meanings(framed, root, library, axes_of(framed, root, library))
     components = []
     for piece in pieces:
         rank = rank_on(piece, columns)
@@ -162,7 +165,7 @@ def _intersections(
     """Where two components meet, and where the rank falls further on them."""
     found: list[Intersection] = []
     keys = [{str(e) for e in piece.equations} for piece in pieces]
-    for i, piece in enumerate(pieces):
+    for i, piece in enumerate(pieces[:-1]):  # nothing that comes later meets the last
         deeper = [
             lower
             for branch in piece.branches
@@ -202,7 +205,7 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
         )
         for limb in assembly.limbs
     ]
-    meanings = Meanings(framed, root, library)
+    meanings = Meanings(framed, root, library, figures_of(assembly))
     known = [
         primitive(stratum.equations[0])
         for limb in strata
@@ -293,18 +296,31 @@ def actuation_singularities(
     locus = actuation_locus(assembly, actuated)
     size = assembly.dimension
     parts = actuation_parts(locus, size)
-    found = [component for _, component in parts]
-    moving = [piece for piece, component in parts if component.platform_freedom]
+    moving = [(p, c) for p, c in parts if c.platform_freedom]
+    bracket = None
+    if locus.admissible:
+        bracket = superbracket(assembly, actuated, [piece for piece, _ in moving])
     return ActuationSingularities(
         actuated=tuple(actuated),
         admissible=locus.admissible,
         generic_rank=size - locus.platform_freedom,
         complete=locus.complete,
-        components=tuple(c for c in found if c.platform_freedom),
-        idle=tuple(c for c in found if not c.platform_freedom),
+        components=tuple(
+            c if c.geometry else replace(c, geometry=_six_lines(n, p, locus, bracket))
+            for n, (p, c) in enumerate(moving)
+        ),
+        idle=tuple(c for _, c in parts if not c.platform_freedom),
         witness=locus.witness,
         reason=locus.reason,
-        superbracket=superbracket(assembly, actuated, moving)
-        if locus.admissible
-        else None,
+        superbracket=bracket,
     )
+
+
+def _six_lines(
+    number: int, piece: Piece, locus: ActuationLocus, bracket: Superbracket | None
+) -> str | None:
+    """How the six lines lie that hold the platform, where no shorter figure is it."""
+    for factor in bracket.factors if bracket else ():
+        if factor.holds == "exactly" and factor.components == (number,):
+            return factor.words
+    return locus.meanings.of_six_lines(piece) if locus.meanings else None

@@ -19,17 +19,18 @@ from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.bracket_forms import Form, product_of
 from screwkit.loci.brackets import Monomial, shortest_monomials
 from screwkit.loci.pieces import Piece
-from screwkit.loci.superbracket import PlacedPoint, SixLines, six_lines
+from screwkit.loci.placed_points import PlacedPoint
+from screwkit.loci.superbracket import SixLines, six_lines
 from screwkit.results.superbracket import BracketFactor, BracketPoint, Superbracket
 
 Holds: TypeAlias = Literal["never", "exactly", "wider", "there", "elsewhere"]
 
 LETTERS = "abcdefghijkl"
 
-LONGEST = 400
+LONGEST = 1_500
 """Terms of a factor's polynomial that is factored."""
 
-COSTLIEST = 40_000
+COSTLIEST = 400_000
 """Products of terms of the coordinates in one factor that are expanded."""
 
 

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from contextlib import suppress
+from dataclasses import replace
 
 from screwkit.algebra.angle_basis import inverse_forms
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.evaluation import evaluate
-from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.search import Search
@@ -23,7 +23,6 @@ from screwkit.certificates.conditions import Problem
 from screwkit.certificates.covers import cover_of
 from screwkit.certificates.derivation import proof_of
 from screwkit.certificates.loop_equations import LoopEquations
-from screwkit.certificates.minor_choice import Matrix
 from screwkit.certificates.real_postures import RealPostures, sides_of
 from screwkit.certificates.records import (
     Certificate,
@@ -36,15 +35,14 @@ from screwkit.certificates.records import (
 from screwkit.certificates.roots import NotProvedError, roots_of
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.steps import written_step
+from screwkit.certificates.subjects import Subject, of_graph, of_limb, of_loops
 from screwkit.certificates.texts import RefusedError, read
 from screwkit.certificates.written import SCHEMA
 from screwkit.kinematics.assembly import Assembly
-from screwkit.kinematics.frames import FramedTwists
 from screwkit.kinematics.freedoms import JointTwist
 from screwkit.kinematics.placement import joint_twists
 from screwkit.kinematics.whole_graph import WholeGraph
 from screwkit.loci.loop_drop import imposed
-from screwkit.mechanism.model import Mechanism
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
     ActuationSingularities,
@@ -71,40 +69,22 @@ def certified(
         version: Of the package.
         progress: Told about each part.
     """
-    parts = []
+    parts: list[Part] = []
     for limb, own in zip(assembly.limbs, answer.limb, strict=True):
         progress("certificate", f"limb {limb.name}")
-        framed = assembly.limb_twists[limb.name]
-        matrix = Matrix(
-            (tuple(framed.column(joint) for joint in limb.joints),),
-            (limb.joints,),
-            tuple(range(6)),
-            single=True,
-        )
-        derivation = PartDerivation(_subject(assembly, framed, matrix, limb.chain))
+        derivation = PartDerivation(of_limb(assembly, limb))
         parts.append(derivation.limb(own))
+    limbs = tuple(parts)
     if len(assembly.limbs) > 1:
         progress("certificate", "constraint")
-        derivation = _of_loops(assembly, ())
+        derivation = PartDerivation(of_loops(assembly, (), limbs))
         parts.append(derivation.constraint(answer.constraint))
     actuation = answer.actuation
     if actuation is not None and actuation.admissible and len(assembly.limbs) > 1:
         progress("certificate", "actuation")
-        derivation = _of_loops(assembly, actuation.actuated)
+        derivation = PartDerivation(of_loops(assembly, actuation.actuated, limbs))
         parts.append(derivation.actuation(actuation))
     return Certificate(SCHEMA, answer.case, version, mechanism, tuple(parts))
-
-
-def _of_loops(assembly: Assembly, locked: Sequence[str]) -> PartDerivation:
-    left = [[j for j in limb.joints if j not in locked] for limb in assembly.limbs]
-    matrix = Matrix(
-        tuple(tuple(map(tuple, assembly.told(own))) for own in left),
-        tuple(map(tuple, left)),
-        assembly.telling,
-        single=False,
-    )
-    chain = [name for limb in assembly.limbs for name in limb.chain]
-    return PartDerivation(_subject(assembly, assembly.common_twists, matrix, chain))
 
 
 def certified_graph(
@@ -127,57 +107,19 @@ def certified_graph(
     for limb, own in zip(graph.limbs, answer.limb, strict=True):
         progress("certificate", f"limb {own.limb}")
         matrix = LoopEquations.of(limb, asks_held=True)
-        derivation = PartDerivation(_graph_subject(graph, limb, matrix))
+        derivation = PartDerivation(of_graph(graph, limb, matrix))
         parts.append(derivation.limb(own))
     if graph.network.loops:
         progress("certificate", "constraint")
-        derivation = PartDerivation(
-            _graph_subject(graph, graph, LoopEquations.of(graph))
-        )
+        derivation = PartDerivation(of_graph(graph, graph, LoopEquations.of(graph)))
         parts.append(derivation.constraint(answer.constraint))
     actuation = answer.actuation
     if actuation is not None and actuation.admissible:
         progress("certificate", "actuation")
         matrix = LoopEquations.of(graph, actuation.actuated)
-        derivation = PartDerivation(_graph_subject(graph, graph, matrix))
+        derivation = PartDerivation(of_graph(graph, graph, matrix))
         parts.append(derivation.actuation(actuation))
     return Certificate(SCHEMA, answer.case, version, mechanism, tuple(parts))
-
-
-@dataclass(frozen=True)
-class Subject:
-    """What a part is about.
-
-    Attributes:
-        mechanism: The whole.
-        root: The configuration space of the ring of ``framed``.
-        chain: The joints whose twists stand in ``framed``.
-        form: Of the matrix, as in `Part`.
-    """
-
-    mechanism: Mechanism
-    root: Branch
-    library: FactorLibrary
-    framed: FramedTwists
-    matrix: Matrix | LoopEquations
-    chain: tuple[str, ...]
-    form: str = ""
-
-
-def _subject(
-    assembly: Assembly, framed: FramedTwists, matrix: Matrix, chain: Sequence[str]
-) -> Subject:
-    root, library = assembly.root(framed.ring), assembly.library(framed.ring)
-    return Subject(assembly.mechanism, root, library, framed, matrix, tuple(chain))
-
-
-def _graph_subject(
-    graph: WholeGraph, own: WholeGraph, matrix: LoopEquations
-) -> Subject:
-    chain = tuple(joint.name for joint in own.mechanism.joints)
-    return Subject(
-        graph.mechanism, own.root, own.library, own.framed, matrix, chain, "loops"
-    )
 
 
 class PartDerivation:
@@ -238,15 +180,33 @@ class PartDerivation:
         if not complete:
             return self._held(part, "the answer says that its list may have gaps")
         try:
-            proved = self._proved(part, loci)
-            checked(self._subject.mechanism, proved, "written")
+            return self._proved(part, loci)
         except (NotProvedError, RefusedError) as error:
             return self._held(part, str(error))
-        return proved
 
     def _proved(self, part: Part, loci: Sequence[tuple[Polynomial, ...]]) -> Part:
-        """The part with a proof."""
-        return replace(part, proof=proof_of(self._problem(loci, part.question)))
+        """The part with a proof that the checker takes.
+
+        Raises:
+            NotProvedError: If none was found.
+            RefusedError: If the checker does not take it.
+        """
+        if self._subject.limbs:
+            with suppress(NotProvedError, RefusedError):
+                return self._by_search(part, loci, asks_limbs=True)
+        return self._by_search(part, loci, asks_limbs=False)
+
+    def _by_search(
+        self, part: Part, loci: Sequence[tuple[Polynomial, ...]], *, asks_limbs: bool
+    ) -> Part:
+        problem = self._problem(loci, part.question)
+        proof = proof_of(problem, asks_limbs=asks_limbs)
+        return self._examined(replace(part, proof=proof))
+
+    def _examined(self, part: Part) -> Part:
+        """The part, if the checker takes it."""
+        checked(self._subject.mechanism, part, "written", self._subject.parts)
+        return part
 
     def _held(self, part: Part, reason: str) -> Part:
         """The claims without a proof, if they hold; else without components."""
@@ -297,6 +257,7 @@ class PartDerivation:
             {j: square for j, square in squares.items() if not square.is_constant()},
             {joint: self._direction(joint) for joint in self._framed.joints},
             self._least(question),
+            limbs=self._subject.limbs,
         )
 
     def _direction(self, joint: str) -> tuple[Polynomial, ...]:

@@ -11,10 +11,9 @@ References: [CoxLittleOShea] §9.1; docs/decisions/0019-certificates.md.
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
-from screwkit.algebra.exact_point import PointRing
 from screwkit.algebra.expression import Expression
 from screwkit.algebra.expression_building import symbols_of
 from screwkit.algebra.modular import ResampleError
@@ -23,19 +22,21 @@ from screwkit.certificates.closed_postures import ClosedPostures
 from screwkit.certificates.findings import Findings, name_of
 from screwkit.certificates.general_claims import GeneralClaims
 from screwkit.certificates.graph_matrix import GraphMatrix
+from screwkit.certificates.limb_claims import LimbClaims
+from screwkit.certificates.multiples import condition_of, divided, follows
 from screwkit.certificates.plain_texts import all_plain
 from screwkit.certificates.postures import Postures, Way
-from screwkit.certificates.products import Products, condition_of, is_minor
+from screwkit.certificates.products import Products, is_minor
 from screwkit.certificates.real_postures import RealPostures
 from screwkit.certificates.records import (
     Case,
     Certificate,
     Locus,
-    Multiple,
     Node,
     Part,
     Sheet,
 )
+from screwkit.certificates.scheme_claims import check_schemes
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.signs import Signs
@@ -64,24 +65,41 @@ def check(
     Raises:
         RefusedError: With what does not hold.
     """
-    if not certificate.parts and limbs(mechanism):
+    if not certificate.parts and not certificate.schemes and limbs(mechanism):
         raise RefusedError("it claims nothing")
+    if certificate.schemes is not None:
+        check_schemes(certificate.schemes, mechanism, f"{seed}/schemes")
     found = []
     for number, part in enumerate(certificate.parts):
         try:
-            found.append(checked(mechanism, part, f"{seed}/{number}"))
+            found.append(
+                checked(mechanism, part, f"{seed}/{number}", certificate.parts)
+            )
         except RefusedError as refusal:
             raise RefusedError(f"{name_of(part)}: {refusal}") from None
     return tuple(found)
 
 
-def checked(mechanism: Mechanism, part: Part, seed: str) -> Findings:
-    """Check a part; again with other postures where one lacks a root."""
+def checked(
+    mechanism: Mechanism, part: Part, seed: str, others: Sequence[Part] = ()
+) -> Findings:
+    """Check a part; again with other postures where one lacks a root.
+
+    Args:
+        mechanism: As read from its file.
+        part: What is claimed.
+        seed: Of the random postures.
+        others: Parts about limbs, on whose proofs this one may rest; each is checked
+            on its own.
+
+    Raises:
+        RefusedError: With what does not hold.
+    """
     missing = RefusedError("roots or inverses in it do not exist at random postures")
     for attempt in range(ATTEMPTS):
         source = random.Random(f"{seed}/{attempt}")
         try:
-            return _PartCheck(mechanism, part, source).all()
+            return _PartCheck(mechanism, part, source, others).all()
         except ResampleError:
             continue
         except NoPostureError as refusal:  # nor, perhaps, modulo this prime alone
@@ -96,7 +114,13 @@ def checked(mechanism: Mechanism, part: Part, seed: str) -> Findings:
 class _PartCheck:
     """One part of a certificate under examination."""
 
-    def __init__(self, mechanism: Mechanism, part: Part, source: random.Random) -> None:
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        part: Part,
+        source: random.Random,
+        others: Sequence[Part] = (),
+    ) -> None:
         self._part = part
         self._postures = Postures(mechanism, part, source)
         self._matrix: ScrewMatrix | GraphMatrix
@@ -118,7 +142,8 @@ class _PartCheck:
             self._dimensions,
             self._signs.nonzero,
         )
-        self._products = Products(self._postures, self._matrix)
+        self._limbs = LimbClaims(self._postures, self._matrix, others)
+        self._products = Products(self._postures, self._matrix, self._limbs)
         self._solutions = Solutions(self._postures, self._signs)
         self._closed = ClosedPostures(mechanism, self._postures)
         self._loci = ClaimedLoci(
@@ -203,7 +228,9 @@ class _PartCheck:
         self._finished[node.number] = way
 
     def _examined(self, node: Node, way: Way) -> None:
-        if self._covered is not None and (node.component >= 0 or node.columns):
+        if self._covered is not None and (
+            node.component >= 0 or node.columns or node.limbs
+        ):
             raise RefusedError("it says nothing about a component's own postures")
         if node.sheet:
             if self._covered is None:
@@ -215,14 +242,21 @@ class _PartCheck:
             self._in_earlier(node, way)
         elif node.axis:
             self._without_axis(node, way)
+        elif node.vanishing:
+            self._vanishing(node.vanishing, way)
         elif node.special:
             self._general.special(node, way)
         elif node.impossible >= 0:
             self._impossible(node, way)
         else:
+            if node.limbs:
+                self._limbs.check(node, way)
             self._products.check(node, way, self._size_of(node))
             if self._smaller_ones and is_minor(node):
                 self._general.bounded(node, way, max(0, self._loci.freedom))
+            for equations, fallen in self._limbs.fallen(node):
+                conditions = (*way.conditions, *equations)
+                self._node(fallen, replace(way, conditions=conditions))
             for case in node.cases:
                 self._case(case, way)
 
@@ -240,31 +274,32 @@ class _PartCheck:
         for number, text in enumerate(locus.equations):
             for point in self._postures.several(way):
                 value = point.value(read(text))
-                if not self._follows(value, multiples.get(number), way, point):
+                if not follows(value, multiples.get(number), way, point):
                     raise RefusedError(f"{text} does not vanish on it")
-
-    def _follows(
-        self, value: Any, multiple: Multiple | None, way: Way, point: PointRing
-    ) -> bool:
-        """Whether a value is 0 by the steps of a way, or a multiple of a condition."""
-        if multiple is None:
-            return bool(value == 0)
-        condition = point.value(read(condition_of(way, multiple.condition)))
-        right = point.value(read(multiple.times)) * condition
-        return bool(value * self._products.divided(multiple.over, way, point) == right)
 
     def _in_earlier(self, node: Node, way: Way) -> None:
         earlier = self._finished.get(node.earlier)
         if earlier is None:
             raise RefusedError(f"node {node.earlier} was not finished before")
         for text in earlier.conditions:
-            if text not in way.conditions and not self._zero_on(read(text), way):
+            if not self._is_condition(text, way) and not self._zero_on(read(text), way):
                 raise RefusedError(f"it is not in node {node.earlier}")
         for point in self._postures.several(way):
             if not all(
                 self._solutions.satisfied(step, point) for step in earlier.steps
             ):
                 raise RefusedError(f"it is not in node {node.earlier}")
+
+    def _is_condition(self, text: str, way: Way) -> bool:
+        """Whether an expression is a condition of a way, however that is written."""
+        if text in way.conditions:
+            return True
+        points = self._postures.several(Way())
+        own = [point.value(read(text)) for point in points]
+        return any(
+            [point.value(read(condition)) for point in points] == own
+            for condition in way.conditions
+        )
 
     def _without_axis(self, node: Node, way: Way) -> None:
         """An axis has no length, or each of its coordinates is 0: no mechanism."""
@@ -277,11 +312,18 @@ class _PartCheck:
         for point in self._postures.several(way):
             direction = self._matrix.twists(point)[label][place]
             square = sum((x * x for x in direction), point.zero)
-            if not self._follows(square, multiples.get(0), way, point) and not all(
-                self._follows(x, multiples.get(k), way, point)
+            if not follows(square, multiples.get(0), way, point) and not all(
+                follows(x, multiples.get(k), way, point)
                 for k, x in enumerate(direction)
             ):
                 raise RefusedError(f"the axis of {label} has a direction on it")
+
+    def _vanishing(self, name: str, way: Way) -> None:
+        """A symbol that is declared not to be 0 is 0 by the steps of a way."""
+        if name not in self._signs.nonzero:
+            raise RefusedError(f"{name} may be 0")
+        if not self._zero_on(read(name), way):
+            raise RefusedError(f"{name} is not 0 on it")
 
     def _impossible(self, node: Node, way: Way) -> None:
         condition = read(condition_of(way, node.impossible))
@@ -290,7 +332,7 @@ class _PartCheck:
             raise RefusedError(f"{node.impossible_value} may vanish")
         for point in self._postures.several(way):
             left = point.value(condition)
-            left = left * self._products.divided(node.over or {}, way, point)
+            left = left * divided(node.over or {}, way, point)
             if left != point.value(value):
                 raise RefusedError("a condition is not what it is said to be")
 
@@ -346,8 +388,8 @@ class _PartCheck:
             raise RefusedError("a case without its divisor")
         multiple = case.divisor
         for point in self._postures.several(way):
-            left = self._products.divided({str(multiple.equation): 1}, way, point)
-            left = left * self._products.divided(multiple.over, way, point)
+            left = divided({str(multiple.equation): 1}, way, point)
+            left = left * divided(multiple.over, way, point)
             right = point.value(read(multiple.times))
             if left != right * point.value(read(case.equations[0])):
                 raise RefusedError(f"{case.equations[0]} is in no divisor")

@@ -22,6 +22,7 @@ from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.substitution import Substitution, reduced, substituted
 from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.certificates.limb_systems import LimbSystem
 from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.minor_choice import Matrix
 from screwkit.certificates.records import Multiple, Unsolved
@@ -50,6 +51,7 @@ class Problem:
             −1 elsewhere.
         demands: Conditions that hold at every posture, where loops tie joint variables.
         closed: Exact postures at which they do.
+        limbs: Where limbs that are chains may say something of the whole.
     """
 
     root: Branch
@@ -63,6 +65,7 @@ class Problem:
     least: int = -1
     demands: tuple[Polynomial, ...] = ()
     closed: tuple[tuple[Point, int], ...] = ()
+    limbs: tuple[LimbSystem, ...] = ()
 
     @property
     def smaller(self) -> bool:
@@ -343,6 +346,26 @@ class Conditions:
             return None
         closed = None if branch.steps else next(iter(self.problem.closed), None)
         return closed or next(iter(replace(branch, pending=()).points), None)
+
+    def where(self, place: Place, equations: Sequence[Polynomial]) -> Option:
+        """The part of a node on which all of some equations hold, as conditions."""
+        branch = place.branch
+        pending, impossible = list(branch.pending), None
+        held = {str(primitive(own.value)) for own in pending}
+        new = []
+        for equation in equations:
+            (value,), _ = followed(branch, [equation])
+            if value == 0 or str(primitive(value)) in held:
+                continue
+            own = Pending(equation, value)
+            if branch.assumptions.is_nonzero(branch.ring, value):
+                impossible = own
+            pending.append(own)
+            new.append(equation)
+        conditions = (*branch.conditions, *new)
+        child = replace(branch, conditions=conditions, pending=tuple(pending))
+        below = Place(child, (*place.conditions, *equations))
+        return Option(below, None, impossible)
 
     def is_of_dimensions(self, branch: Branch, own: Factor) -> bool:
         """Whether a factor ties the dimensions of the mechanism alone."""

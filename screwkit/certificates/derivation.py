@@ -12,21 +12,22 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import TypeAlias
+from functools import partial
 
 from screwkit.algebra.branches import without
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.points import Point
 from screwkit.algebra.polynomial_text import text
-from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.algebra.trigonometric import primitive
 from screwkit.certificates.conditions import (
-    Conditions,
     Option,
     Place,
     Problem,
     with_conditions,
 )
-from screwkit.certificates.minor_choice import Minor
+from screwkit.certificates.limb_offers import limb_offers
+from screwkit.certificates.offer_choice import Choice, OfferChoice
+from screwkit.certificates.offers import minor_offers
 from screwkit.certificates.records import Case, Node, Sheet, Unsolved
 from screwkit.certificates.roots import NotProvedError
 from screwkit.certificates.steps import (
@@ -43,13 +44,12 @@ from screwkit.certificates.sums import (
     sum_without_angles,
 )
 from screwkit.certificates.texts import read
-from screwkit.certificates.whole_equations import with_whole_equations
 
 NODES = 600
-"""Nodes of one proof."""
+"""Nodes of one proof by minors of the whole matrix."""
 
-LONGEST = 60_000
-"""Terms of a minor that is factored."""
+NODES_OF_LIMBS = 1_200
+"""Nodes of one proof that asks limbs; these are short."""
 
 MIXED = 3
 """Unsolved conditions from which on no further one is added to tell postures apart."""
@@ -57,37 +57,21 @@ MIXED = 3
 DEEPEST = 16
 """Unsolved conditions on the way to a node."""
 
-MANY = 3_000
-"""Terms of a minor beside which no other one is expanded."""
-
-LOOKED_AT = 4
-"""Minors whose cases are all looked at before one is chosen."""
-
-
-_Candidate: TypeAlias = tuple[int, int, Minor, list[tuple[Factor, int]]]
-_Chosen: TypeAlias = tuple[
-    Minor,
-    list[tuple[Factor, int]],
-    list[list[Option]],
-    int,
-    tuple[Unsolved, ...],
-]
-
 
 @dataclass
-class ProofSearch(Conditions):
+class ProofSearch(OfferChoice):
     """One proof under way.
 
     Attributes:
         rank: Of the matrix in general.
+        asks_limbs: Whether limbs are asked before minors of the whole matrix.
         count: Nodes so far.
-        finished: Their numbers, with what tells their postures.
         source: Of the choice of minors.
     """
 
     rank: int
+    asks_limbs: bool = False
     count: int = 0
-    finished: list[tuple[int, tuple[Polynomial, ...]]] = field(default_factory=list)
     source: random.Random = field(default_factory=lambda: random.Random(5))
 
     # -- one node --------------------------------------------------------------------
@@ -96,7 +80,8 @@ class ProofSearch(Conditions):
         """The proof of one node and everything below it."""
         number = self.count
         self.count += 1
-        if self.count > NODES or len(place.conditions) > DEEPEST:
+        most = NODES_OF_LIMBS if self.asks_limbs else NODES
+        if self.count > most or len(place.conditions) > DEEPEST:
             raise NotProvedError("the proof would be too long")
         ended = self.ended(place, number)
         if ended is not None:
@@ -109,39 +94,11 @@ class ProofSearch(Conditions):
             or self.special(place, number)
             or self.of_a_sum(place, number, implied_equation(self, place))
             or self.without_points(place, number)
+            or self.by_limbs(place, number)
             or self.by_minor(place, number)
         )
-        self.finished.append((number, self.equations(place)))
+        self.finish(number, place)
         return found
-
-    def equations(self, place: Place) -> tuple[Polynomial, ...]:
-        """What tells the postures of a node."""
-        branch = place.branch
-        sheets = {str(sheet) for sheet in branch.sheets}
-        return (*branch.equations(sheets), *place.conditions)
-
-    def ended(self, place: Place, number: int) -> Node | None:
-        """Why nothing is to be done on a node; None where something is."""
-        branch = place.branch
-        for label, square in self.problem.axes.items():
-            multiples = self.multiples(place, [square])
-            if multiples is None:
-                multiples = self.multiples(place, self.problem.directions[label])
-            if multiples is not None:
-                return Node(number, axis=label, multiples=multiples)
-        for k, equations in enumerate(self.problem.components):
-            if not branch.points or self.all_vanish(equations, branch):
-                multiples = self.multiples(place, equations)
-                if multiples is not None:
-                    return Node(number, component=k, multiples=multiples)
-        for earlier, equations in self.finished:
-            if (
-                branch.points
-                and self.all_vanish(equations, branch)
-                and self.surely(place, equations)
-            ):
-                return Node(number, earlier=earlier)
-        return None
 
     # -- products --------------------------------------------------------------------
 
@@ -168,7 +125,7 @@ class ProofSearch(Conditions):
 
     def of_a_sum(self, place: Place, number: int, found: Sum | None) -> Node | None:
         """The node of a sum of multiples of conditions, where there is one."""
-        if found is None:
+        if found is None or self.is_held(place, found.factors):
             return None
         options = self.options(place, found.factors)
         cases = self.cases(place, found.factors, options)
@@ -194,27 +151,16 @@ class ProofSearch(Conditions):
         Where there is none, of a sum in few unknowns.
         """
         try:
-            chosen = self.chosen_minor(place)
+            choice, roots = self.chosen_minor(place)
         except NotProvedError:
             found = self.of_a_sum(place, number, sum_without_angles(self, place))
             if found is None:
                 raise
             return found
-        minor, factors, options, rank, roots = chosen
-        matrix = self.problem.matrix
-        labels = [x for own in matrix.labels for x in own]
-        return Node(
-            number,
-            rank=rank,
-            roots=roots,
-            rows=tuple(matrix.row(row) for row in minor.rows),
-            columns=tuple(labels[k] for k in minor.columns),
-            over=minor.over,
-            cases=self.cases(place, factors, options),
-        )
+        return self.said(place, number, choice, roots)
 
-    def chosen_minor(self, place: Place) -> _Chosen:
-        """The minor that leaves the fewest cases, with their options.
+    def chosen_minor(self, place: Place) -> tuple[Choice, tuple[Unsolved, ...]]:
+        """The minor that leaves the fewest cases, and how conditions are met.
 
         Raises:
             NotProvedError: If there is none that says something new.
@@ -234,45 +180,40 @@ class ProofSearch(Conditions):
         roots: tuple[Unsolved, ...] = ()
         if self.problem.smaller and rank < self.rank:
             roots = self.roots(branch)
-        vanishing = {str(primitive(p.value)) for p in branch.pending}
-        candidates: list[_Candidate] = []
-        for minor in matrix.minors(branch, *at, self.source):
-            factors = self.product(branch, minor.parts, LONGEST)
-            if factors is not None:
-                factors = with_whole_equations(self, place, factors)
-                if any(own.key in vanishing for own, _ in factors):
-                    continue  # it says nothing here
-                open_ones = [f for f, _ in factors if not self.positive(branch, f)]
-                weight = sum(3 + len(f.equations[0]) for f in open_ones)
-                candidates.append((weight, len(candidates), minor, factors))
-                if not open_ones or minor.terms > MANY:
-                    break
-        if not candidates:
-            raise NotProvedError("every minor is too long, or says nothing new")
-        candidates.sort(key=lambda candidate: candidate[:2])
-        known: dict[str, list[Option]] = {}
-        reason = ""
-        best = None
-        for _, order, minor, factors in candidates[:LOOKED_AT]:
-            try:
-                options = self.options(place, factors, known)
-            except NotProvedError as error:
-                reason = str(error)
-                continue
-            left = sum(
-                1 + 4 * len(option.place.branch.pending)
-                for own in options
-                for option in own
-                if self.is_open(option)
-            )
-            if best is None or (left, order) < best[0]:
-                best = (left, order), minor, factors, options
-            if not left:
-                break
-        if best is None:
-            raise NotProvedError(reason)
-        _, minor, factors, options = best
-        return minor, factors, options, rank, roots
+        offers = minor_offers(matrix, branch, at, self.source)
+        return self.chosen(place, offers), roots
+
+    def by_limbs(self, place: Place, number: int) -> Node | None:
+        """The node of what limbs say alone; None where they do not say enough."""
+        branch, problem = place.branch, self.problem
+        at = max(branch.points, key=lambda p: problem.matrix.rank_at(*p), default=None)
+        if not self.asks_limbs or at is None or self.falls(at):
+            return None
+        wanted = -1 if problem.moving else self.rank
+        library, source = problem.library, self.source
+        shown = partial(self.multiples, place)
+        offers = limb_offers(problem.limbs, branch, at, library, wanted, source, shown)
+        try:
+            choice = self.chosen(place, offers)
+        except NotProvedError:
+            return None
+        return self.said(place, number, choice)
+
+    def said(
+        self,
+        place: Place,
+        number: int,
+        choice: Choice,
+        roots: tuple[Unsolved, ...] = (),
+    ) -> Node:
+        """The node of an offer, with everything below it."""
+        node = choice.offer.node
+        limbs = tuple(
+            replace(own, fallen=tuple(self.on_sheet(option) for option in options))
+            for own, options in zip(node.limbs, choice.fallen, strict=True)
+        )
+        cases = self.cases(place, choice.factors, choice.options)
+        return replace(node, number=number, roots=roots, limbs=limbs, cases=cases)
 
     def falls(self, at: tuple[Point, int]) -> bool:
         """Whether a posture belongs to the locus."""
@@ -284,35 +225,6 @@ class ProofSearch(Conditions):
         return matrix.rank_at(*at) < self.rank
 
     # -- cases -----------------------------------------------------------------------
-
-    def options(
-        self,
-        place: Place,
-        factors: Sequence[tuple[Factor, int]],
-        known: dict[str, list[Option]] | None = None,
-    ) -> list[list[Option]]:
-        """By factor, its solutions; none where it vanishes nowhere."""
-        found = []
-        for own, _ in factors:
-            if known is not None and own.key in known:
-                found.append(known[own.key])
-                continue
-            options = (
-                []
-                if self.vanishes_nowhere(place.branch, own)
-                else self.options_of(place, own)
-            )
-            if known is not None:
-                known[own.key] = options
-            found.append(options)
-        return found
-
-    def is_open(self, option: Option) -> bool:
-        """Whether work is left there."""
-        branch = option.place.branch
-        if option.impossible is not None or (branch.points and branch.is_special):
-            return False
-        return self.ended(option.place, -1) is None
 
     def cases(
         self,
@@ -382,8 +294,13 @@ class ProofSearch(Conditions):
         return Node(number, impossible=index, impossible_value=written, over=over)
 
 
-def proof_of(problem: Problem) -> Node:
+def proof_of(problem: Problem, *, asks_limbs: bool) -> Node:
     """A proof that nothing is missing from a list of components.
+
+    Args:
+        problem: With the list.
+        asks_limbs: Whether limbs are asked before minors of the whole matrix, which may
+            be products all the same.
 
     Raises:
         NotProvedError: If none was found.
@@ -393,4 +310,5 @@ def proof_of(problem: Problem) -> Node:
         raise NotProvedError("the mechanism has no exact posture")
     rank = max(problem.matrix.rank_at(*at) for at in points)
     start = with_conditions(problem.root, problem.demands)
-    return ProofSearch(problem, rank).node(Place(start, problem.demands))
+    search = ProofSearch(problem, rank, asks_limbs)
+    return search.node(Place(start, problem.demands))

@@ -11,7 +11,7 @@ References: [LongCaroKhalil2012] (4)-(9).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -29,12 +29,16 @@ class GraphMatrix:
 
     Args:
         postures: Of the mechanism and the part.
+        locked: Freedoms that are held; by default those of the part.
     """
 
-    def __init__(self, postures: Postures) -> None:
+    def __init__(
+        self, postures: Postures, locked: Collection[str] | None = None
+    ) -> None:
         self._postures = postures
         self._part = postures.part
         self.prime = postures.prime
+        self._locked = frozenset(self._part.locked if locked is None else locked)
         self._mechanism = postures.spoken_of.mechanism
         self._labels = {
             joint.name: freedom_labels(joint, self._mechanism.space)
@@ -48,9 +52,8 @@ class GraphMatrix:
     @cached_property
     def columns(self) -> tuple[str, ...]:
         """The freedoms that are columns of the matrix."""
-        locked = set(self._part.locked)
         every = (x for labels in self._labels.values() for x in labels)
-        return tuple(x for x in every if x not in locked)
+        return tuple(x for x in every if x not in self._locked)
 
     @cached_property
     def _closed(self) -> tuple[tuple[Step, ...], ...]:

@@ -20,7 +20,17 @@ from screwkit.certificates.signs import Signs
 from screwkit.certificates.texts import RefusedError, names_in, read
 
 _WORDS = frozenset(
-    {"kind", "symbol", "end", "axis", "question", "origin", "limb", "reason"}
+    {
+        "kind",
+        "symbol",
+        "end",
+        "axis",
+        "vanishing",
+        "question",
+        "origin",
+        "limb",
+        "reason",
+    }
     | {"numbers", "locked", "columns", "angles", "sides"}
 )
 """Fields that hold names, or numbers that are read as such."""

@@ -5,11 +5,12 @@ Checked by values at random postures, after the divisors of the steps before.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 from screwkit.algebra.exact_point import PointRing
 from screwkit.certificates.graph_matrix import GraphMatrix
+from screwkit.certificates.limb_claims import LimbClaims
+from screwkit.certificates.multiples import condition_of, divided
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import Case, Node
 from screwkit.certificates.screw_matrix import ScrewMatrix
@@ -22,13 +23,19 @@ class Products:
     Args:
         postures: Of the mechanism and the part.
         matrix: Of the part.
+        limbs: Claims about them.
     """
 
-    def __init__(self, postures: Postures, matrix: ScrewMatrix | GraphMatrix) -> None:
-        self._postures, self._matrix = postures, matrix
+    def __init__(
+        self,
+        postures: Postures,
+        matrix: ScrewMatrix | GraphMatrix,
+        limbs: LimbClaims,
+    ) -> None:
+        self._postures, self._matrix, self._limbs = postures, matrix, limbs
 
     def check(self, node: Node, way: Way, size: int) -> None:
-        """A minor, or a condition, is a number times the product of the cases.
+        """What a node takes apart is a number times the product of its cases.
 
         Args:
             node: With cases.
@@ -53,15 +60,17 @@ class Products:
                 for own in node.combination:
                     condition = point.value(read(condition_of(way, own.condition)))
                     term = point.value(read(own.times)) * condition
-                    left = left + term * self.divided(own.over, way, point)
+                    left = left + term * divided(own.over, way, point)
             elif node.condition >= 0:
                 left = point.value(read(condition_of(way, node.condition)))
+            elif node.limbs:
+                left = self._limbs.product(node, point)
             else:
                 try:
                     left = self._matrix.minor(point, node.rows, node.columns)
                 except IndexError:
                     raise RefusedError("its minor is none of the matrix") from None
-            left = left * self.divided(node.over or {}, way, point)
+            left = left * divided(node.over or {}, way, point)
             right = point.one
             for case in node.cases:
                 right = right * self._factor(case, point, paired=paired) ** case.power
@@ -81,39 +90,7 @@ class Products:
             return values[0]
         return sum((value * value for value in values), point.zero)
 
-    def divided(self, over: Mapping[str, int], way: Way, point: PointRing) -> Any:
-        """The product of powers of the divisors of a way's steps at a posture.
-
-        Args:
-            over: Powers by number of the step.
-            way: Its steps.
-            point: The posture.
-
-        Raises:
-            RefusedError: If there is no such step.
-        """
-        product = point.one
-        for number, power in over.items():
-            try:
-                step = dict(enumerate(way.steps))[int(number)]
-            except (ValueError, KeyError):
-                raise RefusedError(f"there is no step {number}") from None
-            product = product * point.value(read(step.over)) ** power
-        return product
-
 
 def is_minor(node: Node) -> bool:
     """Whether the product of a node is a minor of the matrix."""
-    return node.condition < 0 and not node.combination
-
-
-def condition_of(way: Way, number: int) -> str:
-    """A condition of a way by its number.
-
-    Raises:
-        RefusedError: If there is none.
-    """
-    try:
-        return way.conditions[number]
-    except IndexError:
-        raise RefusedError(f"there is no condition {number}") from None
+    return node.condition < 0 and not node.combination and not node.limbs

@@ -132,6 +132,30 @@ class Case:
 
 
 @dataclass(frozen=True)
+class OfLimb:
+    """What a node says of one limb, where no case of the node holds.
+
+    Attributes:
+        limb: Its name.
+        rank: Its twists have no less than this rank.
+        rows, columns: Coordinates and freedoms of a minor of its twists that shows it;
+            empty where the limb's own part does.
+        fallen: In that case what follows on each component of that part.
+        wrenches: (f; m), reciprocal to its twists, at the origin of the part's frame.
+        work: Which reciprocal products are 0 as multiples of a condition, counted over
+            the limb's freedoms that are not locked, wrench after wrench.
+    """
+
+    limb: str
+    rank: int = 0
+    rows: tuple[int, ...] = ()
+    columns: tuple[str, ...] = ()
+    fallen: tuple[Node, ...] = ()
+    wrenches: tuple[tuple[str, ...], ...] = ()
+    work: tuple[Multiple, ...] = ()
+
+
+@dataclass(frozen=True)
 class Node:
     """The postures on the way to it, and why the locus is no larger there.
 
@@ -141,6 +165,7 @@ class Node:
         multiples: Why, for equations that do not vanish by the solved steps alone.
         earlier: All of them belong to this node, which was finished before.
         axis: Nothing is there, because the axis of this freedom has no direction.
+        vanishing: Nothing is there, because this symbol is 0, which is never 0.
         special: The dimensions of the mechanism are tied to each other there.
         sheet: It is a sheet of the component whose postures the tree covers.
         roots: How its unsolved conditions are met, where postures on them are needed.
@@ -149,6 +174,9 @@ class Node:
         rank: Of the matrix in general on the node.
         rows, columns: Of the minor that is a product: rows of the matrix from 0, and
             freedoms.
+        limbs: Ranks and wrenches of limbs, instead of a minor of the matrix; ``rows``
+            are then those of a minor of all these wrenches, which is a product together
+            with the minors of the limbs.
         condition: The unsolved condition that is a product here, instead of a minor.
         combination: Multiples of unsolved conditions whose sum is a product here.
         over: By number of a solved step: powers of its divisor on the minor's side.
@@ -160,6 +188,7 @@ class Node:
     multiples: tuple[Multiple, ...] = ()
     earlier: int = -1
     axis: str = ""
+    vanishing: str = ""
     special: bool = False
     sheet: bool = False
     roots: tuple[Unsolved, ...] = ()
@@ -168,6 +197,7 @@ class Node:
     rank: int = -1
     rows: tuple[int, ...] = ()
     columns: tuple[str, ...] = ()
+    limbs: tuple[OfLimb, ...] = ()
     condition: int = -1
     combination: tuple[Multiple, ...] = ()
     over: Mapping[str, int] | None = None
@@ -297,11 +327,44 @@ class Source:
 
 
 @dataclass(frozen=True)
+class SchemeClaim:
+    """What the platform can do with some freedoms locked, in general.
+
+    Attributes:
+        actuated: The freedoms.
+        freedom: Dimension of the platform's twists; 0 where the scheme is admissible.
+    """
+
+    actuated: tuple[str, ...]
+    freedom: int
+
+
+@dataclass(frozen=True)
+class SchemeClaims:
+    """What is claimed about actuation schemes.
+
+    Attributes:
+        origin, angles, form: As of a part.
+    """
+
+    origin: str
+    angles: Angles
+    schemes: tuple[SchemeClaim, ...]
+    form: str = ""
+
+
+@dataclass(frozen=True)
 class Certificate:
-    """Claims about the singularities of one mechanism, with their proofs."""
+    """Claims about one mechanism, with their proofs.
+
+    Attributes:
+        parts: About its singularities.
+        schemes: About its actuation schemes.
+    """
 
     schema: str
     case: str
     version: str
     mechanism: Source
     parts: tuple[Part, ...]
+    schemes: SchemeClaims | None = None

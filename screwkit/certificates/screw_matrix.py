@@ -5,7 +5,7 @@ Here of limbs that are chains; `graph_matrix` has that of any joint graph.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 from screwkit.algebra.all_roots import rank_at_roots
@@ -18,13 +18,17 @@ class ScrewMatrix:
 
     Args:
         postures: Of the mechanism and the part.
+        locked: Freedoms that are held; by default those of the part.
     """
 
-    def __init__(self, postures: Postures) -> None:
+    def __init__(
+        self, postures: Postures, locked: Collection[str] | None = None
+    ) -> None:
         self._postures = postures
         self._part = postures.part
         self.limbs = postures.spoken_of.limbs
         self.prime = postures.prime
+        self._locked = frozenset(self._part.locked if locked is None else locked)
 
     def twists(self, point: PointRing) -> Mapping[str, tuple[Any, ...]]:
         """The twists at a posture, by freedom, times their scales."""
@@ -33,8 +37,7 @@ class ScrewMatrix:
     @property
     def columns(self) -> tuple[str, ...]:
         """The freedoms that are columns of the matrix, limb by limb."""
-        locked = set(self._part.locked)
-        return tuple(x for own in self.limbs for x in own if x not in locked)
+        return tuple(x for own in self.limbs for x in own if x not in self._locked)
 
     def matrix(self, point: PointRing) -> dict[str, list[Any]]:
         """The columns of the part's matrix, by freedom.
@@ -46,11 +49,11 @@ class ScrewMatrix:
         if self._part.question == "limb":
             return {label: list(twists[label]) for label in self.columns}
         loops = len(self.limbs) - 1
-        locked, zero = set(self._part.locked), [point.zero] * 6
+        zero = [point.zero] * 6
         columns = {}
         for number, labels in enumerate(self.limbs):
             for label in labels:
-                if label in locked:
+                if label in self._locked:
                     continue
                 own = list(twists[label])
                 columns[label] = [
@@ -66,16 +69,18 @@ class ScrewMatrix:
 
     def rank(self, point: PointRing) -> int:
         """Of the matrix at a posture."""
-        return self.rank_of(list(self.matrix(point).values()))
+        columns = list(self.matrix(point).values())
+        # One limb alone closes no loop.
+        return self.rank_of(columns) if columns and columns[0] else 0
 
     def bounding_ranks(self, point: PointRing) -> tuple[int, ...]:
         """Ranks whose sum exceeds that of the matrix by the platform's freedom.
 
         Those of the limbs' twists at a posture, locked freedoms left out.
         """
-        twists, locked = self.twists(point), set(self._part.locked)
+        twists = self.twists(point)
         return tuple(
-            self.rank_of([twists[x] for x in labels if x not in locked])
+            self.rank_of([twists[x] for x in labels if x not in self._locked])
             for labels in self.limbs
         )
 

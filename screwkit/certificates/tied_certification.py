@@ -18,7 +18,7 @@ from screwkit.algebra.points import Point, differential
 from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import Polynomial
-from screwkit.certificates.certification import PartDerivation, Subject
+from screwkit.certificates.certification import PartDerivation
 from screwkit.certificates.derivation import proof_of
 from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.minor_choice import Matrix
@@ -34,6 +34,7 @@ from screwkit.certificates.records import (
 from screwkit.certificates.roots import NotProvedError, roots_of
 from screwkit.certificates.seen_postures import SeenPostures
 from screwkit.certificates.steps import written_step
+from screwkit.certificates.subjects import Subject
 from screwkit.certificates.texts import RefusedError
 from screwkit.certificates.written import SCHEMA
 from screwkit.kinematics.freedoms import JointTwist
@@ -282,10 +283,10 @@ class TiedDerivation(PartDerivation):
                 closed=tuple(self._postures),
             )
             try:
-                proof = proof_of(problem)
+                proof = proof_of(problem, asks_limbs=False)
             except NotProvedError as error:
                 reason = error
                 continue
             kept = tuple(demand for _, demand in start)
-            return replace(part, demands=kept, proof=proof)
+            return self._examined(replace(part, demands=kept, proof=proof))
         raise reason

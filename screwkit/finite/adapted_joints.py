@@ -66,8 +66,8 @@ def _basis(
     """A basis of the joint's group that holds one of the twists it moves by."""
     prime, size = graph.prime, len(joint)
     screws = [graph.edges[number].screw for number in joint]
-    # In an order of their own, so that balls passed backwards are treated alike.
-    order = sorted(range(size), key=lambda k: screws[k], reverse=True)
+    # In the order of its freedoms, so that balls passed backwards are treated alike.
+    order = sorted(range(size), key=lambda k: graph.edges[joint[k]].name)
     rows = echelon([[row[k] for k in order] for row in moving if any(row)], prime)
     twists = Span(prime, rows)
     first, last = list[list[int]](), list[list[int]]()

@@ -168,7 +168,7 @@ def _outward(
     steps = np.zeros_like(ways)
     for number, kernel in enumerate(kernels(forest, stance, split)):
         if kernel.dimension:
-            step = kernel.basis @ random.standard_normal(kernel.dimension)
+            step = kernel.anywhere(1, random)[0]
             sign = -1.0 if step @ ways[number] < 0 else 1.0
             steps[number] = sign * STRIDE * step / np.linalg.norm(step)
     found = projected(forest, stance, steps, split)

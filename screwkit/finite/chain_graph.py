@@ -256,7 +256,7 @@ def chain_graph(motion: Motion, held: Collection[str] = ()) -> ChainGraph:
     far = _joints_away(network)
     orders: dict[str, tuple[str, ...]] = {}
     edges: list[Edge] = []
-    for joint in network.mechanism.joints:
+    for joint in sorted(network.mechanism.joints, key=lambda joint: joint.name):
         labels = network.labels_of[joint.name]
         if joint.type is JointType.SPHERICAL and far.get(joint.parent, 0) % 2:
             labels = tuple(reversed(labels))

@@ -1,4 +1,4 @@
-"""One equation left that vanishes twice on a family of closed postures.
+"""Equations left that vanish twice on a family of closed postures.
 
 Where all rates are good to second order, and beyond first order one equation f = 0 is
 left in the m rates, let F be a smooth family of dimension m − 1, given by w = 0, on
@@ -12,6 +12,12 @@ f = w² g.  Its first form, of degree k, is that of w squared times that of g.
 Every branch then has dimension m − 1.  Wren's platform on four equal legs is of this
 kind: it translates, or it turns and may shift one way.
 
+Of two equations f = w² g for m = 3 both other factors must vanish beside F.  Let their
+forms be binary, in u = (x, y), and map a circle around 0 twice around it.  For every
+small z the map u ↦ g(u, z) then has the degree ±2, and a zero; complex zeros are no
+more, because the forms have none in common but u = 0.  With z not in F these branches
+of dimension 1 lie beside F.  Wren's platform on five legs turns so, and rises.
+
 References: [GolubitskySchaeffer1985] §I.3, [ConnellyWhiteley1996].
 """
 
@@ -21,12 +27,14 @@ import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
+from typing import TypeAlias
 
 from screwkit.algebra.modular import annihilator
 from screwkit.algebra.series_modulo import double_root
 from screwkit.finite.chain_graph import ChainGraph
 from screwkit.finite.closing_groups import Closing, smooth_subfamilies
 from screwkit.finite.higher_order import Form
+from screwkit.finite.lie_closure import Span
 from screwkit.finite.loop_series import curve
 from screwkit.finite.only_family import rank_on
 
@@ -34,52 +42,90 @@ LARGEST = 6
 """Dimension of the rates up to which forms of degree four are looked at."""
 
 
+Known: TypeAlias = dict[tuple[int, ...], list[int]]
+"""Values of all equations left by the coordinates of rates: all forms share them."""
+
+
 @dataclass(frozen=True)
 class DoubleFamily:
-    """A family on which the one equation left vanishes twice.
+    """A family on which the equations left vanish twice.
 
     Attributes:
         closing: The family.
-        rest: The form of the other factor in the basis of the rates, up to a factor;
-            None where it is linear.
+        rest: The forms of the other factors in the basis of the rates, up to a factor
+            each; empty where they are linear.
+        crossed: Whether the forms depend on two linear ones alone, and the line on
+            which these vanish is not in the family.
     """
 
     closing: Closing
-    rest: Form | None
+    rest: tuple[Form, ...]
+    crossed: bool = False
 
 
-def double_family(block: ChainGraph, order: int) -> DoubleFamily | None:
-    """The family, if the one equation left vanishes twice on one.
+def double_family(block: ChainGraph, order: int, left: int) -> DoubleFamily | None:
+    """The family, if the equations left vanish twice on one.
 
     Args:
-        block: With one equation beyond its rank.
+        block: With one or two equations beyond its rank.
         order: The first at which a generic motion fails.
+        left: How many equations there are beyond the rank.
     """
     mobility = block.mobility
     if order not in (3, 4) or not 1 < mobility <= LARGEST:
         return None
-    form = _FirstForm(block, order)
-    across = _twice(form)
-    if across is None:
+    if left != 1 and (left, order, mobility) != (2, 4, 3):
         return None
+    forms = _first_forms(block, order)
+    if len(forms) != left:
+        return None
+    found = [_twice(form) for form in forms]
+    across = found[0]
+    if across is None or any(other != across for other in found):
+        return None
+    form = forms[0]
     rates = [
         form.rates(vector) for vector in annihilator([across], mobility, block.prime)
     ]
     for family in smooth_subfamilies(block, rates):
         if rank_on(block, family) == block.rank:
-            rest = None if order == 3 else _rest(form, across)
-            return DoubleFamily(family, rest)
+            rest = [] if order == 3 else [_rest(form, across) for form in forms]
+            known = tuple(each for each in rest if each is not None)
+            crossed = len(known) == 2 and _crossed(known, across, block.prime)
+            whole = len(known) == len(rest)
+            return DoubleFamily(family, known if whole else (), crossed)
     return None
 
 
-class _FirstForm:
-    """The form of the least degree of the equation left, by its values."""
+def _crossed(forms: Sequence[Form], across: Sequence[int], prime: int) -> bool:
+    rows = [row for form in forms for row in form]
+    lines = annihilator(rows, len(across), prime)
+    if len(lines) != len(across) - 2:
+        return False
+    return any(
+        sum(x * y for x, y in zip(across, line, strict=True)) % prime for line in lines
+    )
 
-    def __init__(self, block: ChainGraph, order: int) -> None:
-        self.block, self.order = block, order
+
+def _first_forms(block: ChainGraph, order: int) -> list[_FirstForm]:
+    """One for each equation whose form is independent of those before."""
+    known: Known = {}
+    probe = _FirstForm(block, order, 0, known)
+    values = [probe.all(probe.vector()) for _ in range(block.mobility + 2)]
+    span, chosen = Span(block.prime), list[int]()
+    for number, column in enumerate(zip(*values, strict=True)):
+        if span.add(column):
+            chosen.append(number)
+    return [_FirstForm(block, order, number, known) for number in chosen]
+
+
+class _FirstForm:
+    """The form of the least degree of one of the equations left, by its values."""
+
+    def __init__(self, block: ChainGraph, order: int, row: int, known: Known) -> None:
+        self.block, self.order, self._row = block, order, row
+        self._known = known
         self._source = random.Random(order)
-        left = self._coefficients(self.vector())
-        self._row = next(number for number, value in enumerate(left) if value)
 
     def vector(self) -> list[int]:
         """Random coordinates in the basis of the rates."""
@@ -97,10 +143,15 @@ class _FirstForm:
 
     def __call__(self, vector: Sequence[int]) -> int:
         """Its value."""
-        return self._coefficients(vector)[self._row]
+        return self.all(vector)[self._row]
 
-    def _coefficients(self, vector: Sequence[int]) -> list[int]:
-        return curve(self.block, self.rates(vector)).failing_by(self.order)
+    def all(self, vector: Sequence[int]) -> list[int]:
+        """The values of all equations left."""
+        key = tuple(vector)
+        if key not in self._known:
+            along = curve(self.block, self.rates(vector))
+            self._known[key] = along.failing_by(self.order)
+        return self._known[key]
 
 
 def _twice(form: _FirstForm) -> list[int] | None:
@@ -118,7 +169,10 @@ def _twice(form: _FirstForm) -> list[int] | None:
             return None
         zeros.append([(x + root * y) % prime for x, y in zip(start, way, strict=True)])
     across = annihilator(zeros, mobility, prime)
-    return list(across[0]) if len(across) == 1 else None
+    if len(across) != 1:
+        return None
+    unit = pow(next(x for x in across[0] if x), -1, prime)
+    return [x * unit % prime for x in across[0]]
 
 
 def _rest(form: _FirstForm, across: Sequence[int]) -> Form | None:

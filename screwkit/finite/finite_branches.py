@@ -89,6 +89,12 @@ class Point:
     twists: tuple[int, ...]
     along: tuple[int, ...]
     pattern: tuple[object, ...] = ()
+    leaving: int = 0
+
+    @property
+    def mode(self) -> tuple[object, ...]:
+        """What tells branches of one look."""
+        return self.pattern, self.leaving
 
     @property
     def looks(self) -> tuple[int, int, tuple[int, ...], tuple[int, ...]]:
@@ -124,15 +130,15 @@ def branches_of(
         walked = walk(forest, stance.take(numbers), bases, dimension, random)
         exact = EXACT if dimension == freedoms - rank else INEXACT
         groups: dict[tuple[str, tuple[str, ...]], list[Point]] = {}
-        for pattern in dict.fromkeys(point.pattern for point in walkers):
-            chosen = np.array([point.pattern == pattern for point in walkers])
+        for pattern in dict.fromkeys(point.mode for point in walkers):
+            chosen = np.array([point.mode == pattern for point in walkers])
             words, straight = "", tuple[str, ...]()
             if forest.platform[0] and walked.taken[chosen].any():
                 seen = walked.displacements[:, chosen].reshape(-1, 4, 4)
                 words = motion_in_words(seen, exact)
                 if dimension == 1 and words in TURNING:
                     straight = _straight(seen, marks, exact)
-            alike = [point for point in own if point.pattern == pattern]
+            alike = [point for point in own if point.mode == pattern]
             groups.setdefault((words, straight), []).extend(alike)
         found.extend(
             FiniteBranch(
@@ -147,7 +153,7 @@ def branches_of(
                 motion=words,
                 starts=len(members),
                 ranks_met=walked.ranks,
-                modes=len({point.pattern for point in members}),
+                modes=len({point.mode for point in members}),
                 straight=straight,
                 places=stance.take(np.array([p.number for p in members[:PLACES]])),
             )
@@ -190,7 +196,7 @@ def _representatives(points: Sequence[Point]) -> list[Point]:
     """A few points of each pattern."""
     patterns: dict[tuple[object, ...], list[Point]] = {}
     for point in points:
-        patterns.setdefault(point.pattern, []).append(point)
+        patterns.setdefault(point.mode, []).append(point)
     few = 2 if points[0].dimension == 1 else WALKERS
     return [point for alike in patterns.values() for point in alike[:few]]
 
@@ -230,13 +236,24 @@ def kind_of(system: tuple[int, ...]) -> str:
 
 
 def pattern_of(
-    forest: Forest, stance: Stance, number: int, kernel: Kernel
+    forest: Forest, stance: Stance, kernels: Sequence[Kernel]
 ) -> tuple[object, ...]:
-    """Which freedoms rest, and the motion type of every link."""
-    rest = np.abs(kernel.basis).max(axis=1, initial=0.0) < VISIBLE
-    here = stance.take(np.array([number]))
-    systems = (
-        tuple(body_systems(forest, here, kernel.basis[None], node)[0].tolist())
-        for node in forest.nodes.values()
-    )
-    return (tuple(np.flatnonzero(rest).tolist()), *systems)
+    """Which freedoms rest, and the motion type of every link, where most moves.
+
+    Args:
+        forest: Of the mechanism.
+        stance: Postures of one branch.
+        kernels: At each of them.
+    """
+    rest, systems = np.ones(stance.screws.shape[1], dtype=bool), []
+    for number, kernel in enumerate(kernels):
+        rest &= np.abs(kernel.basis).max(axis=1, initial=0.0) < VISIBLE
+        here = stance.take(np.array([number]))
+        systems.append(
+            [
+                body_systems(forest, here, kernel.basis[None], node)[0]
+                for node in forest.nodes.values()
+            ]
+        )
+    most = np.max(np.array(systems), axis=0)
+    return (tuple(np.flatnonzero(rest).tolist()), *map(tuple, most.tolist()))

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import TypeAlias
 
 import numpy as np
 
@@ -28,17 +29,21 @@ from screwkit.finite.finite_branches import (
     pattern_of,
     platform_system,
 )
+from screwkit.finite.held_spins import without_idle
+from screwkit.finite.idle_freedoms import IdleMotion
 from screwkit.finite.local_dimension import (
     EXACT_CUT,
     Kernel,
     around,
-    is_regular,
     kernels,
+    regular_neighbours,
     singular_dimension,
+    steady,
     tangents_of,
     unclear_rank,
 )
 from screwkit.finite.loop_split import Split, split_at
+from screwkit.finite.own_frame import in_own_frame
 from screwkit.finite.posture_model import PostureModel, scaled, with_locked
 from screwkit.finite.spanning_forest import Forest, forest_of
 
@@ -59,6 +64,10 @@ above, unclear between, as closing to within 1e-12 may leave a double root 1e-6 
 
 DOUBTFUL = 0.2
 """Part of the closed postures that may stay singular without making it all doubtful."""
+
+
+Generic: TypeAlias = tuple[tuple[int, ...], tuple[int, ...], tuple[object, ...]]
+"""The platform's twist system, the one along the branch, and its pattern."""
 
 
 @dataclass(frozen=True)
@@ -83,19 +92,36 @@ class FiniteMotion:
 
 
 def finite_motion(
-    model: PostureModel, *, locked: Sequence[str] = (), seed: int = 0
+    model: PostureModel,
+    *,
+    locked: Sequence[str] = (),
+    idle: Sequence[IdleMotion] = (),
+    seed: int = 0,
 ) -> FiniteMotion:
     """The finite mobilities around a closed posture, by sampling.
 
     Args:
         model: At the posture.
         locked: Freedoms held where they are, as `PostureModel.labels` writes them.
+        idle: Idle motions that are held, too; branches then have no places.
         seed: Chooses the samples; the same seed gives the same answer.
 
     Raises:
         UnknownNameError: If ``locked`` names no freedom.
     """
-    model = scaled(with_locked(model, locked))
+    own = in_own_frame(scaled(with_locked(model, locked)))
+    found = _sampled(without_idle(own.model, idle), seed)
+    branches = tuple(
+        replace(branch, places=own.as_given(branch.places))
+        if branch.places is not None and not idle
+        else replace(branch, places=None)
+        for branch in found.branches
+    )
+    return replace(found, branches=branches, model=own.given)
+
+
+def _sampled(model: PostureModel, seed: int) -> FiniteMotion:
+    """The same of a model in its own frame and lengths."""
     forest, random = forest_of(model), np.random.default_rng(seed)
     marks = marks_of(model)
     origin = stance_of(model, forest)
@@ -103,16 +129,15 @@ def finite_motion(
     unclear = unclear_rank(values[0])
     if unclear:
         return FiniteMotion("undecided", (), (), unclear)
-    kernel = Kernel(split, split.right[0, :, split.rank :])
+    kernel = Kernel(split, steady(split.right[0, :, split.rank :]))
     if not kernel.dimension:
         return FiniteMotion("sampled", (0,), (), "the loop equations leave no motion")
     for scale in (1.0, 0.1):
         distances = scale * np.linspace(NEAREST, FARTHEST, FEW)
         near = around(forest, origin, kernel, distances, random)
         if near.closed.all():
-            found = _regular(forest, kernel, near.stance, random, marks)
-            return replace(found, model=model)
-    return replace(_singular(forest, origin, kernel, random, marks), model=model)
+            return _regular(forest, kernel, near.stance, random, marks)
+    return _singular(forest, origin, kernel, random, marks)
 
 
 def _regular(
@@ -147,7 +172,7 @@ def _singular(
     if not len(found.stance):
         return _nothing_found(found.count, found.collapsed, found.failed)
     split = kernel.split.take(np.zeros(len(found.stance), dtype=np.intp))
-    stance, dimensions = _settled(forest, found.stance, split, random)
+    stance, dimensions, known = _settled(forest, found.stance, split, random)
     own = kernels(forest, stance, split)
     dimensions = [
         dimension if kernel.is_clear else None
@@ -166,12 +191,11 @@ def _singular(
             number,
             own,
             dimension,
-            platform_system(forest, stance, number, own.basis),
-            _along(forest, stance, number, own, dimension, random),
-            (
-                *pattern_of(forest, stance, number, own),
-                *([leaving[number]] if dimension == 1 else []),
+            *(
+                known.get(number)
+                or _singular_one(forest, stance, number, own, dimension, random)
             ),
+            leaving[number] if dimension == 1 else 0,
         )
         for number, (own, dimension) in enumerate(zip(own, dimensions, strict=True))
         if dimension is not None
@@ -203,6 +227,21 @@ def _alike(points: Sequence[Point]) -> list[Point]:
     return found
 
 
+def _singular_one(
+    forest: Forest,
+    stance: Stance,
+    number: int,
+    kernel: Kernel,
+    dimension: int,
+    random: np.random.Generator,
+) -> Generic:
+    """What is so at a posture around which closed ones do not fill the kernel."""
+    system = platform_system(forest, stance, number, kernel.basis)
+    along = _along(forest, stance, number, kernel, dimension, random)
+    here = stance.take(np.array([number]))
+    return system, along, pattern_of(forest, here, [kernel])
+
+
 def _along(
     forest: Forest,
     stance: Stance,
@@ -212,8 +251,6 @@ def _along(
     random: np.random.Generator,
 ) -> tuple[int, ...]:
     """The platform's twists along the branch itself; empty where they are not known."""
-    if dimension == kernel.dimension:
-        return platform_system(forest, stance, number, kernel.basis)
     here = stance.take(np.array([number]))
     tangents = tangents_of(forest, here, kernel, dimension, random)
     if tangents is None:
@@ -226,12 +263,14 @@ def _along(
 
 def _settled(
     forest: Forest, stance: Stance, split: Split, random: np.random.Generator
-) -> tuple[Stance, list[int | None]]:
-    """The postures with the dimension around each.
+) -> tuple[Stance, list[int | None], dict[int, Generic]]:
+    """The postures with the dimension around each, and the platform's system there.
 
-    Where that is below the dimension of the kernel, the posture may just be a singular
-    one of its branch: it is moved on before the lower dimension is believed.
+    Where that dimension is below that of the kernel, the posture may just be a singular
+    one of its branch: it is moved on before the lower dimension is believed.  Regular
+    ones give way to their most general neighbour, as twists may drop there alone.
     """
+    known: dict[int, Generic] = {}
     dimensions: list[int | None] = [None] * len(stance)
     left = np.arange(len(stance))
     own: tuple[Kernel, ...] = ()
@@ -240,14 +279,18 @@ def _settled(
             onward = wandered(forest, stance.take(left), split.take(left), random)
             stance = stance.put(left, onward)
         own = kernels(forest, stance.take(left), split.take(left))
-        regular = [
-            is_regular(forest, stance.take(left[[i]]), kernel, random)
+        near = [
+            regular_neighbours(forest, stance.take(left[[i]]), kernel, random)
             for i, kernel in enumerate(own)
         ]
-        for number, kernel, settled in zip(left, own, regular, strict=True):
-            dimensions[number] = kernel.dimension if settled else None
-        left = left[~np.array(regular, dtype=bool)]
-        own = tuple(k for k, settled in zip(own, regular, strict=True) if not settled)
+        for number, kernel, beside in zip(left, own, near, strict=True):
+            if beside is not None:
+                dimensions[number] = kernel.dimension
+                known[int(number)], best = _generic(forest, beside, kernel)
+                onward = beside.take(np.array([best]))
+                stance = stance.put(np.array([number]), onward)
+        left = left[[beside is None for beside in near]]
+        own = tuple(k for k, beside in zip(own, near, strict=True) if beside is None)
         if not len(left):
             break
     for size in {kernel.dimension for kernel in own}:
@@ -266,7 +309,18 @@ def _settled(
         # Where the first ones agree the others are taken to be of the same sort.
         for place, i in enumerate(alike):
             dimensions[left[i]] = counts[min(place, len(counts) - 1)]
-    return stance, dimensions
+    return stance, dimensions, known
+
+
+def _generic(forest: Forest, near: Stance, kernel: Kernel) -> tuple[Generic, int]:
+    """What is so at the most general of some postures of one branch, and which."""
+    split = kernel.split.take(np.zeros(len(near), dtype=np.intp))
+    own = kernels(forest, near, split)
+    found = [
+        platform_system(forest, near, number, k.basis) for number, k in enumerate(own)
+    ]
+    system = tuple(map(max, zip(*found, strict=True)))
+    return (system, system, pattern_of(forest, near, own)), found.index(max(found))
 
 
 def _nothing_found(count: int, collapsed: int, failed: int) -> FiniteMotion:

@@ -17,7 +17,8 @@ from dataclasses import dataclass, replace
 from screwkit.finite.chain_graph import INNER, ChainGraph, chain_graph
 from screwkit.finite.closing_groups import Closing, smooth_family
 from screwkit.finite.family_motion import FamilyMotion, family_motion
-from screwkit.finite.idle_freedoms import idle_freedoms
+from screwkit.finite.idle_freedoms import idle_freedoms, idle_motions
+from screwkit.finite.implied_rods import implied_rods, without_rods
 from screwkit.finite.order_proofs import (
     IDENTICAL,
     Proved,
@@ -26,6 +27,7 @@ from screwkit.finite.order_proofs import (
     proved_by_order,
     smooth,
 )
+from screwkit.finite.own_axes import in_own_axes
 from screwkit.finite.tied_families import subfamily
 from screwkit.kinematics.network import Motion, Network, motion
 
@@ -36,7 +38,7 @@ class Proof:
 
     Attributes:
         mobility: Of the branches through the posture, ascending; one where the closed
-            postures around it are a manifold.
+            postures around it are a manifold.  The largest is that of the family.
         reason: The argument as a sentence without capital and full stop.
         motion: How the platform moves along a family of that mobility, where that is
             exact.
@@ -73,20 +75,28 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
         None where no argument applies.
     """
     twin = _twin(network, at)
+    if twin is None:
+        return None
+    given, at, twin = at, in_own_axes(at), in_own_axes(twin)
     graph = chain_graph(at)
-    if twin is None or graph.mobility != at.mobility:
+    if graph.mobility != at.mobility:
         return None
     equations = len(network.rows)
     whole = _of_first_order(graph, equations)
     if whole is not None:
         moved = None if graph.rank else _motion(at, graph, [], [], ())
         return Proof((whole.mobility,), whole.reason, moved)
-    idle = idle_freedoms(at)
-    graph, other_graph = chain_graph(at, idle), chain_graph(twin, idle)
-    blocks = tuple(block for block in graph.blocks() if block.width)
-    others = tuple(block for block in other_graph.blocks() if block.width)
+    spins = idle_motions(at)
+    idle = tuple(label for spin in spins for label in spin.held)
+    implied = implied_rods(at, spins)
+    graph, other_graph = (
+        without_rods(each, chain_graph(each, idle), implied) for each in (at, twin)
+    )
+    if graph.mobility + len(idle) != at.mobility:
+        return None
+    blocks, others = _moving_blocks(graph), _moving_blocks(other_graph)
     free = graph.width - sum(block.width for block in blocks)
-    dimension = free + len(idle)
+    dimensions = {free + len(idle)}
     postures = at.posture, twin.posture
     reasons: dict[str, int] = {}
     proofs: list[Proved] = []
@@ -95,10 +105,12 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
         if proof is None and not _has_contact(network, block):
             ends = network.mechanism.base, network.mechanism.platform
             proof = _of_family(block, ends)
+            proof = proof or _of_family_askew(block, given, ends)
             proof = proof or proved_by_order((block, other), postures)
         if proof is None:
             return None
-        dimension += proof.mobility
+        own = proof.mobility, *proof.others
+        dimensions = {one + other for one in dimensions for other in own}
         proofs.append(proof)
         reasons[proof.reason] = reasons.get(proof.reason, 0) + 1
     partial = len(blocks) > 1 or free > 0 or bool(idle)
@@ -112,13 +124,29 @@ def proved_mobility(network: Network, at: Motion) -> Proof | None:
     apart = []
     if free:
         apart.append(f"the freedom of joints on no loop ({free})")
-    if idle:
-        apart.append(f"the idle freedom of bodies between two joints ({len(idle)})")
+    apart += _shared(at, len(idle))
+    if implied:
+        apart.append(f"rods whose lengths follow from those of others ({len(implied)})")
     if apart:
         told = f"apart from {_listed(apart)}, {told}"
     alone = all(proof.whole or not proof.mobility for proof in proofs)
     moved = _motion(at, graph, blocks, proofs, idle)
-    return Proof((dimension,), told, moved, alone)
+    return Proof(tuple(sorted(dimensions)), told, moved, alone)
+
+
+def _shared(at: Motion, count: int) -> list[str]:
+    """Whose two joints share the freedoms held; idle are those of neither end alone."""
+    base, platform = at.network.mechanism.base, at.network.mechanism.platform
+    others = len(idle_freedoms(at, {base}))
+    idle = len(idle_freedoms(at, {base, platform}))
+    apart = [
+        f"the freedom that the two joints of {body} share ({shared})"
+        for body, shared in ((base, count - others), (platform, others - idle))
+        if shared
+    ]
+    if idle:
+        apart.append(f"the idle freedom of bodies between two joints ({idle})")
+    return apart
 
 
 def _motion(
@@ -170,6 +198,15 @@ def upper_bound(network: Network, at: Motion) -> UpperBound | None:
     )
 
 
+def rests_on_contacts(network: Network, at: Motion) -> bool:
+    """Whether contacts lie in loops of which first order does not tell the motion."""
+    return any(
+        _has_contact(network, block)
+        for block in chain_graph(at).blocks()
+        if block.width and _of_first_order(block, len(network.rows)) is None
+    )
+
+
 def _twin(network: Network, at: Motion) -> Motion | None:
     """The motion modulo another prime; None where the ranks disagree."""
     if any(at is known for known in network.motions):
@@ -211,6 +248,26 @@ def _of_family(block: ChainGraph, ends: Sequence[str]) -> Proved | None:
     return Proved(
         block.mobility, _in_words(closing, block.mobility), closing, whole=True
     )
+
+
+def _of_family_askew(
+    block: ChainGraph, given: Motion, ends: Sequence[str]
+) -> Proved | None:
+    """The same with other axes of its ball joints, if it has any."""
+    askew = in_own_axes(given, askew=True)
+    if askew is given:
+        return None
+    names = {edge.name for edge in block.edges}
+    for other in _moving_blocks(chain_graph(askew, idle_freedoms(askew))):
+        if names == {edge.name for edge in other.edges}:
+            same = {e.name: e.screw for e in block.edges}
+            changed = any(same[edge.name] != edge.screw for edge in other.edges)
+            return _of_family(other, ends) if changed else None
+    return None
+
+
+def _moving_blocks(graph: ChainGraph) -> tuple[ChainGraph, ...]:
+    return tuple(block for block in graph.blocks() if block.width)
 
 
 def _has_contact(network: Network, block: ChainGraph) -> bool:

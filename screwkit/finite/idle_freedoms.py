@@ -11,10 +11,26 @@ References: [Hunt1978].
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
 
 from screwkit.algebra.elimination_modulo import eliminated
 from screwkit.finite.lie_closure import ResidueScrew, Span, is_subalgebra
 from screwkit.kinematics.network import Motion
+
+
+@dataclass(frozen=True)
+class IdleMotion:
+    """What a body with two joints may do by itself.
+
+    Attributes:
+        body: Its name.
+        joints: Its two joints; freedoms of the first are held.
+        held: Their labels, one for each dimension.
+    """
+
+    body: str
+    joints: tuple[str, str]
+    held: tuple[str, ...]
 
 
 def idle_freedoms(
@@ -22,7 +38,17 @@ def idle_freedoms(
     apart_from: Collection[str] = (),
     shares: Mapping[str, float] | None = None,
 ) -> tuple[str, ...]:
-    """Labels of freedoms to hold, one for each idle motion of a body with two joints.
+    """Labels of freedoms to hold, one for each dimension of `idle_motions`."""
+    found = idle_motions(motion, apart_from, shares)
+    return tuple(label for idle in found for label in idle.held)
+
+
+def idle_motions(
+    motion: Motion,
+    apart_from: Collection[str] = (),
+    shares: Mapping[str, float] | None = None,
+) -> tuple[IdleMotion, ...]:
+    """The idle motions of bodies with two joints, and freedoms to hold for them.
 
     Near the posture a joint with the group G is the product of the held factors' rest
     and of the common group K: G = G′·K, since their screws are a basis of G's algebra.
@@ -43,11 +69,12 @@ def idle_freedoms(
     }
     contacts = {network.joint_of[label] for label in network.contact_labels}
     joints_at: dict[str, list[str]] = {}
-    for joint in network.mechanism.joints:
+    # By names, so that the order in a file does not matter.
+    for joint in sorted(network.mechanism.joints, key=lambda joint: joint.name):
         for link in {joint.parent, joint.child}:
             joints_at.setdefault(link, []).append(joint.name)
-    held: list[str] = []
-    for link in network.mechanism.links:
+    found: list[IdleMotion] = []
+    for link in sorted(network.mechanism.links):
         names = joints_at.get(link, [])
         if len(names) != 2 or contacts & set(names) or link in apart_from:
             continue
@@ -59,9 +86,10 @@ def idle_freedoms(
         first = names[0]
         ordered = sorted(labels[first], key=lambda label: sizes.get(label, 0.0))
         dropped = [label for label in ordered if not span.add(posture.twists[label])]
-        held += dropped
+        if dropped:
+            found.append(IdleMotion(link, (first, names[1]), tuple(dropped)))
         labels[first] = [x for x in labels[first] if x not in dropped]
-    return tuple(held)
+    return tuple(found)
 
 
 def _is_group(screws: Sequence[ResidueScrew], prime: int) -> bool:

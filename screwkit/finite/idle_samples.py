@@ -16,6 +16,7 @@ import numpy as np
 
 from screwkit.finite.finite_branches import FiniteBranch
 from screwkit.finite.finite_motion import FiniteMotion, finite_motion
+from screwkit.finite.idle_freedoms import IdleMotion
 from screwkit.finite.posture_model import PosedJoint, PostureModel
 from screwkit.finite.posture_numbers import numbers_at
 from screwkit.finite.spanning_forest import forest_of
@@ -55,19 +56,20 @@ def _shares(joints: Sequence[PosedJoint]) -> list[float]:
     return [float(size) for size in np.linalg.norm(right[rank:], axis=0)]
 
 
-def finite_motion_with_idle(model: PostureModel, idle: Sequence[str]) -> FiniteMotion:
-    """The finite mobilities around a closed posture, idle freedoms held meanwhile.
+def finite_motion_with_idle(
+    model: PostureModel, idle: Sequence[IdleMotion]
+) -> FiniteMotion:
+    """The finite mobilities around a closed posture, idle motions held meanwhile.
 
     Args:
         model: At the posture.
-        idle: Freedoms of idle motions, one for each, of bodies other than base and
-            platform.
+        idle: Of bodies other than base and platform.
 
     Raises:
         UnknownNameError: If ``idle`` names no freedom.
     """
-    found = finite_motion(model, locked=idle)
-    count = len(idle)
+    found = finite_motion(model, idle=idle)
+    count = sum(len(each.held) for each in idle)
     if not count or not found.mobility:
         return found
     branches = tuple(_freed(branch, count) for branch in found.branches)

@@ -35,6 +35,10 @@ DOUBT = 3e-7
 """Largest relative singular value that rounding makes of zero: x² = 0 within 1e-15
 leaves x and the slope at 3e-8, roots of higher order less."""
 
+EARLY = 0.7
+"""Part of the longest image that one must have to come first; far from what symmetric
+mechanisms make equal."""
+
 SPREAD = 0.08
 """Part of the distance that neighbours must spread for a dimension to count."""
 
@@ -64,6 +68,14 @@ class Kernel:
         """Of the kernel: the instantaneous mobility."""
         return int(self.basis.shape[1])
 
+    def anywhere(self, count: int, random: np.random.Generator) -> Array:
+        """Random vectors of the kernel, shape (count, freedoms).
+
+        The same ones in whatever basis: rounding alone turns those of singular vectors.
+        """
+        vectors = random.standard_normal((count, len(self.basis)))
+        return np.asarray(vectors @ self.basis @ self.basis.T)
+
     @property
     def is_clear(self) -> bool:
         """Whether no singular value lies between zero and what counts."""
@@ -88,6 +100,25 @@ def kernels(
         here = stance.take(np.array([number]))
         found.append(Kernel(own, reduced(forest, here, own).tangents[0], dropped))
     return tuple(found)
+
+
+def steady(basis: Array) -> Array:
+    """A basis of the same space that does not depend on the one given.
+
+    Images of the unit vectors under the projection, in their order where they are not
+    much shorter than the longest, made orthonormal.
+
+    Args:
+        basis: Orthonormal columns, shape (freedoms, dimension).
+    """
+    images, found = basis @ basis.T, np.zeros_like(basis)
+    for column in range(basis.shape[1]):
+        sizes = np.linalg.norm(images, axis=0)
+        first = int(np.argmax(sizes > EARLY * sizes.max()))
+        found[:, column] = images[:, first] / sizes[first]
+        own = found[:, [column]]
+        images = images - own @ (own.T @ images)
+    return found
 
 
 def unclear_rank(values: Array) -> str:
@@ -125,9 +156,7 @@ def around(
         unless a step went too far.
     """
     count = len(distances)
-    steps = distances[:, None] * unit_rows(
-        random.standard_normal((count, kernel.dimension)) @ kernel.basis.T
-    )
+    steps = distances[:, None] * unit_rows(kernel.anywhere(count, random))
     same = np.zeros(count, dtype=np.intp)
     return projected_at_rank(forest, stance.take(same), steps, kernel.split.take(same))
 
@@ -136,10 +165,22 @@ def is_regular(
     forest: Forest, stance: Stance, kernel: Kernel, random: np.random.Generator
 ) -> bool:
     """Whether closed postures fill all dimensions of the kernel at a posture."""
+    return regular_neighbours(forest, stance, kernel, random) is not None
+
+
+def regular_neighbours(
+    forest: Forest, stance: Stance, kernel: Kernel, random: np.random.Generator
+) -> Stance | None:
+    """Neighbours of a posture, if closed ones fill all dimensions of its kernel.
+
+    Returns:
+        Postures on the one branch through this one, itself where nothing moves; None
+        where it is not regular.
+    """
     if not kernel.dimension:
-        return True
+        return stance
     near = around(forest, stance, kernel, np.array([0.03, 0.03, 0.01]), random)
-    return bool(near.closed.all())
+    return near.stance if near.closed.all() else None
 
 
 def singular_dimension(
@@ -221,7 +262,7 @@ def _neighbours(
 ) -> Projected:
     """2m + 8 postures around one, m the dimension of its kernel."""
     count = 2 * kernel.dimension + 8
-    inside = random.standard_normal((count, kernel.dimension)) @ kernel.basis.T
+    inside = kernel.anywhere(count, random)
     steps = unit_rows(inside) + 0.1 * unit_rows(random.standard_normal(inside.shape))
     same = np.zeros(count, dtype=np.intp)
     split = kernel.split.take(same)

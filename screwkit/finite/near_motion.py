@@ -18,17 +18,14 @@ from screwkit.errors import UndecidedError, UnknownNameError
 from screwkit.finite.branch_search import start_directions
 from screwkit.finite.chain_graph import chain_graph
 from screwkit.finite.exponentials import stance_of
-from screwkit.finite.idle_freedoms import idle_freedoms
+from screwkit.finite.held_spins import without_idle
+from screwkit.finite.idle_freedoms import idle_motions
 from screwkit.finite.idle_samples import idle_shares
-from screwkit.finite.local_dimension import Kernel, unit_rows
+from screwkit.finite.local_dimension import Kernel, steady, unit_rows
 from screwkit.finite.loop_series import curve
 from screwkit.finite.loop_split import split_at
-from screwkit.finite.posture_model import (
-    PostureModel,
-    posture_model,
-    scaled,
-    with_locked,
-)
+from screwkit.finite.own_frame import in_own_frame
+from screwkit.finite.posture_model import PostureModel, posture_model, scaled
 from screwkit.finite.projection import projected
 from screwkit.finite.spanning_forest import forest_of
 from screwkit.finite.tangent_cone import second_order_directions
@@ -69,19 +66,20 @@ def near_motion(at: Motion) -> str:
         model = posture_model(mechanism)
     except (UndecidedError, UnknownNameError):
         return ""
-    idle = idle_freedoms(at, shares=idle_shares(model))
-    blocks = (block for block in chain_graph(at, idle).blocks() if block.mobility)
+    idle = idle_motions(at, shares=idle_shares(model))
+    held = [label for each in idle for label in each.held]
+    blocks = (block for block in chain_graph(at, held).blocks() if block.mobility)
     if any(curve(block).order_of_failure(EARLY) is None for block in blocks):
         return ""
-    return _told(with_locked(model, idle), at.rank)
+    own = in_own_frame(scaled(model)).model
+    return _told(without_idle(own, idle), at.rank)
 
 
 def _told(model: PostureModel, rank: int) -> str:
-    model = scaled(model)
     forest, random = forest_of(model), np.random.default_rng(0)
     origin = stance_of(model, forest)
     split, _ = split_at(forest, origin, rank)
-    kernel = Kernel(split, split.right[0, :, rank:])
+    kernel = Kernel(split, steady(split.right[0, :, rank:]))
     if not kernel.dimension:
         return ""
     headings = np.concatenate(

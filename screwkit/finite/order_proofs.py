@@ -26,6 +26,7 @@ from screwkit.finite.real_forms import (
     definite_combination,
     indefinite,
     real_forms,
+    turns_around,
 )
 from screwkit.finite.tied_families import subfamily
 from screwkit.kinematics.exact_postures import ExactPosture
@@ -49,16 +50,18 @@ class Proved:
     """The finite mobility of a block, with the argument.
 
     Attributes:
-        mobility: Of all branches.
+        mobility: Of all branches, or of the largest.
         reason: The argument as a sentence without capital and full stop.
         closing: A family of postures of that dimension, where one is known.
         whole: Whether that family is all there is around the posture.
+        others: Of further branches.
     """
 
     mobility: int
     reason: str
     closing: Closing | None = None
     whole: bool = False
+    others: tuple[int, ...] = ()
 
 
 _ALL = "so all postures around it form a smooth family"
@@ -120,8 +123,9 @@ def proved_by_order(
     only = only_family(block, forms, bound) if bound < block.mobility else None
     if only is not None:
         return Proved(bound, only.reason, only.closing, only.whole)
-    if not forms and all_postures(block).deficit == 1:
-        return _of_double_family(blocks, postures, followed.fails_at)
+    if not forms:
+        left = all_postures(block).deficit
+        return _of_double_family(blocks, postures, followed.fails_at, left)
     twins = second_order_forms(blocks[1])
     real = real_forms(postures, (forms, twins)) if forms else None
     of_signs = None if real is None else _of_real_forms(block, real)
@@ -179,28 +183,45 @@ def _of_double_family(
     blocks: tuple[ChainGraph, ChainGraph],
     postures: tuple[ExactPosture, ExactPosture],
     order: int,
+    left: int,
 ) -> Proved | None:
-    """By the other factor of an equation that vanishes twice on a family."""
-    one = double_family(blocks[0], order)
+    """By the other factors of equations that vanish twice on a family."""
+    one = double_family(blocks[0], order, left)
     if one is None:
         return None
-    one_less = blocks[0].mobility - 1
+    mobility = blocks[0].mobility
+    equations = "one equation is" if left == 1 else f"{left} equations are"
+    begin = "which begins at" if left == 1 else "which begin at"
     told = (
-        f"beyond first order one equation is left for the {blocks[0].mobility}-"
-        f"dimensional joint rates, which begins at order {order} and vanishes twice on "
-        f"a smooth family of dimension {one_less} that keeps the loops closed; its "
-        f"other factor"
+        f"beyond first order {equations} left for the {mobility}-dimensional joint "
+        f"rates, {begin} order {order} and vanish{'es' * (left == 1)} twice on a "
+        f"smooth family of dimension {mobility - 1} that keeps the loops closed"
     )
-    ends = f": every branch through this posture has dimension {one_less}"
+    ends = f": every branch through this posture has dimension {mobility - 1}"
     if order == 3:
-        return Proved(one_less, f"{told} is regular{ends}", one.closing)
-    two = double_family(blocks[1], order)
-    if one.rest is None or two is None or two.rest is None:
+        return Proved(
+            mobility - 1, f"{told}; its other factor is regular{ends}", one.closing
+        )
+    two = double_family(blocks[1], order, left)
+    if not one.rest or two is None or not two.rest:
         return None
-    real = real_forms(postures, ([one.rest], [two.rest]))
-    if real is None or not indefinite(real[0]):
+    real = real_forms(postures, (one.rest, two.rest))
+    if real is None:
         return None
-    return Proved(one_less, f"{told} takes both signs{ends}", one.closing)
+    if left == 1:
+        if not indefinite(real[0]):
+            return None
+        told = f"{told}; its other factor takes both signs{ends}"
+        return Proved(mobility - 1, told, one.closing)
+    if not one.crossed or not turns_around(real):
+        return None
+    return Proved(
+        mobility - 1,
+        f"{told}; their other factors, which turn around it, leave branches of "
+        f"dimension {mobility - 2} beside it",
+        one.closing,
+        others=(mobility - 2,),
+    )
 
 
 _SHAKY = f"no joint rates keep the loops closed to second order: {_ISOLATED}"

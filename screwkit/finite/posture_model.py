@@ -12,11 +12,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 
 import numpy as np
 
 from screwkit.algebra.batch import Array
+from screwkit.algebra.names import meant_or_all
 from screwkit.errors import UndecidedError, UnknownNameError
 from screwkit.finite.table_closure import require_closed
 from screwkit.kinematics.freedoms import JointTwist
@@ -95,8 +95,7 @@ class PostureModel:
         """
         labels = self.labels
         if label not in labels:
-            near = get_close_matches(label, labels, n=1)
-            hint = f"; did you mean {near[0]!r}?" if near else ""
+            hint = meant_or_all(label, labels)
             raise UnknownNameError(f"no freedom {label!r}{hint}")
         return labels.index(label)
 

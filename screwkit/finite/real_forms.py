@@ -65,6 +65,26 @@ def indefinite(form: Matrix) -> bool:
     return bool(values[0] < -least and values[-1] > least)
 
 
+def turns_around(forms: Sequence[Matrix]) -> bool:
+    """Whether two binary forms certainly map a circle twice around the origin.
+
+    So they do if no combination of them is definite or has a double root: then the
+    determinant of λA + μB, a form in (λ, μ), is negative everywhere.
+
+    Args:
+        forms: Two forms in more variables, which two linear ones determine.
+    """
+    both = np.concatenate(forms)
+    (one, other) = (form / np.abs(both).max() for form in forms)
+    across = np.linalg.svd(both)[2][:2]
+    a, b = (across @ form @ across.T for form in (one, other))
+    mixed = a[0, 0] * b[1, 1] + a[1, 1] * b[0, 0] - 2 * a[0, 1] * b[0, 1]
+    first, second = np.linalg.det(a), np.linalg.det(b)
+    return bool(
+        first < -MARGIN and second < -MARGIN and 4 * first * second - mixed**2 > MARGIN
+    )
+
+
 def definite_combination(forms: Sequence[Matrix]) -> bool:
     """Whether a definite combination of the forms was found.
 

@@ -6,7 +6,7 @@ import random
 
 from screwkit.errors import UndecidedError, UnknownNameError
 from screwkit.finite.finite_motion import FiniteMotion
-from screwkit.finite.idle_freedoms import idle_freedoms
+from screwkit.finite.idle_freedoms import IdleMotion, idle_motions
 from screwkit.finite.idle_samples import finite_motion_with_idle, idle_shares
 from screwkit.finite.posture_model import PostureModel, posture_model
 from screwkit.kinematics.loops import ring_at
@@ -44,13 +44,13 @@ def sampled_motion(at: Motion, *, generic: bool = False) -> FiniteMotion:
         return _open(str(error))
 
 
-def _idle(at: Motion, model: PostureModel) -> tuple[str, ...]:
-    """Idle freedoms to hold; none where whole postures on the motion will be wanted."""
+def _idle(at: Motion, model: PostureModel) -> tuple[IdleMotion, ...]:
+    """Idle motions to hold; none where whole postures on the motion will be wanted."""
     mechanism = at.network.mechanism
     if at.network.tied:
         return ()
     ends = mechanism.base, mechanism.platform
-    return idle_freedoms(at, ends, idle_shares(model))
+    return idle_motions(at, ends, idle_shares(model))
 
 
 def _open(reason: str) -> FiniteMotion:
@@ -62,7 +62,7 @@ def _anywhere(mechanism: Mechanism) -> dict[str, float]:
     source = random.Random(2)
     return {
         name: source.uniform(-2.0, 2.0)
-        for joint in mechanism.joints
+        for joint in sorted(mechanism.joints, key=lambda joint: joint.name)
         for index, name in enumerate(joint.variables)
         if not joint.held or joint.held[index] is None
     }
@@ -73,7 +73,7 @@ def _spread(mechanism: Mechanism) -> dict[str, float]:
     source = random.Random(1)
     known = ring_at(mechanism, {}).values
     values = {}
-    for parameter in mechanism.parameters:
+    for parameter in sorted(mechanism.parameters, key=lambda known: known.name):
         value = float(known.get(parameter.name, source.uniform(0.5, 1.5)))
         shift = SPREAD * source.uniform(-1.0, 1.0) * (abs(value) or 1.0)
         values[parameter.name] = value + shift

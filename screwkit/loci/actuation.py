@@ -10,6 +10,7 @@ locked limbs, not from literal wrenches.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.search import Search
@@ -19,8 +20,9 @@ from screwkit.loci.actuation_locus import ActuationLocus
 from screwkit.loci.dependence import Dependence, dependent_zeros
 from screwkit.loci.hybrid_actuation import hybrid_actuation_locus
 from screwkit.loci.meanings import Meanings
+from screwkit.loci.mechanism_figures import figures_of
 from screwkit.loci.passive import PassiveSystem
-from screwkit.loci.pieces import Piece, lies_in, pieces_of
+from screwkit.loci.pieces import Piece, lies_in, pieces_of, surely_in
 from screwkit.loci.rank_drop import Column, rank_drop
 from screwkit.loci.witness import Witnesses
 
@@ -47,27 +49,27 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
         return hybrid_actuation_locus(assembly, actuated)
     framed = assembly.common_twists
     root, library = assembly.root(framed.ring), assembly.library(framed.ring)
-    meanings = Meanings(framed, root, library)
+    meanings = Meanings(framed, root, library, figures_of(assembly, actuated))
     limbs = [
         assembly.told([joint for joint in limb.joints if joint in passive])
         for limb in assembly.limbs
     ]
     zeros = dependent_zeros(root, limbs, Search(library, largest=_LONGEST))
-    if any(not branch.conditions for branch in zeros.open):
-        # Shorter minors tell where limbs that keep their ranks become dependent.
-        apart = Search(library, budget=_APART)
-        kept = dependent_zeros(root, limbs, apart, within=True)
-        both = *zeros.branches, *kept.branches
-        zeros = Dependence(both, zeros.open, kept.reason or zeros.reason)
+    if zeros.open:
+        apart = Search(library, budget=_APART, largest=_LONGEST)
+        zeros = _by_limbs(root, limbs, zeros, apart)
     pieces = pieces_of(zeros.branches)
     states = [_state(system, piece, passive) for piece in pieces]
-    complete = all(_known(branch, pieces) for branch in zeros.open)
+    complete = all(_is_decided(branch, pieces) for branch in zeros.open)
     undecided = "the zeros of the determinant were not all decided"
-    reason = "" if complete else zeros.reason or undecided
+    reasons = dict.fromkeys(() if complete else (zeros.reason or undecided,))
     moving = [p for p, s in zip(pieces, states, strict=True) if s.platform_freedom]
     waiting = [p for p, s in zip(pieces, states, strict=True) if not s.platform_freedom]
-    search = Search(library, budget=_IDLE, beside=False)
+    search = Search(library, budget=_IDLE)
     search.skip = lambda branch: any(lies_in(branch, known) for known in moving)
+    search.inside = lambda branch: (
+        known.equations for known in moving if lies_in(branch, known)
+    )
     seen: dict[frozenset[str], Piece] = {}
     while waiting:
         idle = waiting.pop()
@@ -85,11 +87,37 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
         # What lies on a piece inside is searched with that.
         deeper = (p for p in seen.values() if p.codimension > idle.codimension)
         searched = [*moving, *deeper]
-        if any(not _known(branch, searched) for branch in left):
-            complete, reason = False, "an idle piece was not searched to the end"
+        if any(not _is_decided(branch, searched) for branch in left):
+            complete = False
+            reasons.setdefault("an idle piece was not searched to the end")
+    reason = "; ".join(reasons)
     return ActuationLocus(
         True, freedom, complete, tuple(pieces), tuple(states), meanings, reason=reason
     )
+
+
+def _by_limbs(
+    root: Branch,
+    limbs: Sequence[Sequence[Column]],
+    whole: Dependence,
+    search: Search,
+) -> Dependence:
+    """What the determinant, too long as a whole, says in parts that are shorter.
+
+    It vanishes where the passive twists of a limb become dependent, or where limbs
+    whose twists keep their ranks do.  Where that leaves something open too, the pieces
+    that the whole left open stay, unless they are everything.
+    """
+    kept = dependent_zeros(root, limbs, search, within=True)
+    drops = [rank_drop(root, limb, search).decomposition for limb in limbs if limb]
+    branches = [*whole.branches, *kept.branches]
+    left = [*kept.open]
+    for drop in drops:
+        branches += drop.branches
+        left += drop.open
+    if left and all(branch.conditions for branch in whole.open):
+        return replace(whole, branches=tuple(branches))
+    return Dependence(tuple(branches), tuple(left), kept.reason)
 
 
 def _inside(
@@ -115,6 +143,10 @@ def _inside(
 
 def _known(branch: Branch, pieces: Sequence[Piece]) -> bool:
     return any(lies_in(branch, piece) for piece in pieces)
+
+
+def _is_decided(branch: Branch, pieces: Sequence[Piece]) -> bool:
+    return any(surely_in(branch, piece) for piece in pieces)
 
 
 def _state(system: PassiveSystem, piece: Piece, passive: Collection[str]) -> LoopState:

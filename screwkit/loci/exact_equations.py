@@ -5,8 +5,9 @@ points of the plane are in line with the origin where three determinants vanish,
 of these vanish at regular postures too.  So do conditions that were solved one after
 the other, each where the coefficient of a symbol is not zero: that coefficient may
 vanish.  All zeros of a piece's equations are taken apart; each part on which nothing is
-singular is excluded by a minor of the loop equations that is not zero there.  Where the
-parts could not be told, or no such minor was found, the piece is counted.
+singular is excluded, by shorter equations (`shorter_equations`) or by a minor of the
+loop equations that is not zero there.  Where the parts could not be told, or no such
+minor was found, the piece is counted.
 
 References: [CoxLittleOShea] §9.1 (determinantal varieties), §9.4 (dimension of a part
 that so many equations leave).
@@ -30,6 +31,7 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.errors import TooLargeError
 from screwkit.loci.pieces import Piece
+from screwkit.loci.shorter_equations import with_shorter_equations
 
 _BUDGET = 320  # case distinctions for the zeros of one piece's equations
 _ROUNDS = 3  # of exclusion: an equation may leave less, but not nothing
@@ -79,7 +81,8 @@ class ExactPieces:
 
     Attributes:
         uncertain: How many of them have equations that may hold at others too.
-        narrowed: Whether equations were added: fewer postures satisfy those of a piece.
+        narrowed: Whether equations were added or replaced: fewer postures satisfy those
+            of a piece.
     """
 
     pieces: tuple[Piece, ...]
@@ -113,30 +116,31 @@ def with_exact_equations(pieces: Sequence[Piece], singular: Singularity) -> Exac
 
 
 def narrower(pieces: Sequence[Piece], before: Sequence[Piece]) -> bool:
-    """Whether some piece has more equations than the one that it was."""
+    """Whether some piece has other equations than the one that it was."""
     pairs = zip(pieces, before, strict=True)
-    return any(len(now.equations) > len(then.equations) for now, then in pairs)
+    return any(not now.texts <= then.texts for now, then in pairs)
 
 
 def _exact(piece: Piece, singular: Singularity) -> tuple[Piece, bool]:
     """The piece, more equations added, and whether they are enough."""
     for _ in range(_ROUNDS):
-        if len(piece.equations) < 2 or all(map(_is_solved, piece.branches)):
+        if piece.is_exact:
             return piece, True
         parts, is_whole = _regular_parts(piece, singular)
+        if not parts and is_whole:
+            return piece, True
+        shorter = with_shorter_equations(piece, singular.root, singular.library)
+        if shorter != piece:
+            piece = shorter
+            continue
         if not parts:
-            return piece, is_whole
+            return piece, False
         extra = _excluding(parts, piece, singular)
         if not extra:
             return piece, False
         piece = replace(piece, equations=(*piece.equations, *extra))
     parts, is_whole = _regular_parts(piece, singular)
     return piece, is_whole and not parts
-
-
-def _is_solved(branch: Branch) -> bool:
-    """Whether each condition has no zero but those that were taken."""
-    return len(branch.pending) < 2 and not any(step.partial for step in branch.steps)
 
 
 def _regular_parts(piece: Piece, singular: Singularity) -> tuple[list[Branch], bool]:

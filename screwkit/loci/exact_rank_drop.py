@@ -19,7 +19,13 @@ from screwkit.loci.exact_equations import (
     with_exact_equations,
 )
 from screwkit.loci.open_branches import undecided
-from screwkit.loci.pieces import Piece, lies_in, pieces_of, without_contained
+from screwkit.loci.pieces import (
+    Piece,
+    lies_in,
+    pieces_of,
+    surely_in,
+    without_contained,
+)
 from screwkit.loci.rank_drop import Column, RankDrop, generic_rank, rank_drop
 from screwkit.loci.searching_again import SearchedLocus, searched_again
 
@@ -40,7 +46,7 @@ class DropPieces:
     def reason(self) -> str:
         """Why there may be further pieces; empty where there are none."""
         left = [b for drop in self.drops for b in drop.decomposition.open]
-        left = [b for b in left if not any(lies_in(b, p) for p in self.pieces)]
+        left = [b for b in left if not any(surely_in(b, p) for p in self.pieces)]
         return undecided(left) if left else ""
 
 

@@ -23,7 +23,13 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.kinematics.whole_graph import GraphState, Row, WholeGraph, state_of
 from screwkit.loci.exact_equations import Singularity, with_exact_equations
 from screwkit.loci.matrix_drop import MatrixZeros, RankAt, matrix_zeros
-from screwkit.loci.pieces import Piece, lies_in, pieces_of, without_contained
+from screwkit.loci.pieces import (
+    Piece,
+    lies_in,
+    pieces_of,
+    surely_in,
+    without_contained,
+)
 from screwkit.loci.searching_again import searched_again
 
 _LONGEST = 60_000  # terms of a polynomial that is factored
@@ -195,7 +201,7 @@ def _open_depths(found: Sequence[MatrixZeros], finds: Sequence[Piece]) -> list[i
         max(depth, branch.codimension)
         for zeros in found
         for branch, depth in zeros.open
-        if not branch.points or not any(lies_in(branch, find) for find in finds)
+        if not branch.points or not any(surely_in(branch, find) for find in finds)
     ]
 
 

@@ -17,7 +17,7 @@ from screwkit.kinematics.network import Motion
 from screwkit.kinematics.subspaces import dimension
 from screwkit.kinematics.whole_graph import GraphState, LockedRanks, WholeGraph
 from screwkit.loci.features import Features, listed
-from screwkit.loci.meanings import Residue, features_at, features_of
+from screwkit.loci.placed_features import Residue, features_at, features_of
 from screwkit.loci.remaining_motion import motion_in_words
 from screwkit.loci.wasted_actuators import HeldFreedoms, doing_too_little, too_few
 

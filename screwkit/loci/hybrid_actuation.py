@@ -28,6 +28,7 @@ from screwkit.loci.loop_drop import (
     platform_is_freer,
 )
 from screwkit.loci.meanings import Meanings
+from screwkit.loci.mechanism_figures import figures_of
 from screwkit.loci.pieces import Piece, lies_in, without_contained
 from screwkit.loci.searching_again import searched_again
 
@@ -71,7 +72,7 @@ def hybrid_actuation_locus(
         found.complete,
         pieces,
         tuple(state_on(piece, limbs) for piece in pieces),
-        Meanings(framed, root, library),
+        Meanings(framed, root, library, figures_of(assembly, actuated)),
         reason=found.reason,
     )
 

@@ -16,10 +16,11 @@ from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.search import Search
 from screwkit.kinematics.limb_parts import Parts, PartsMotion, motion_at
 from screwkit.loci.limb_systems import UnclearError, limb_system
-from screwkit.loci.pieces import Piece, lies_in, pieces_of
+from screwkit.loci.open_branches import undecided
+from screwkit.loci.pieces import Piece, lies_in, pieces_of, without_contained
 from screwkit.loci.strata import LimbStrata, Stratum
 
-_MOST = 40  # strata of one limb
+_MOST = 80  # strata of one limb
 
 
 @dataclass(frozen=True)
@@ -45,12 +46,15 @@ class HybridStratum:
 
     @property
     def equations(self) -> Stratum:
-        """The same by equations alone."""
+        """The same by equations alone, and of the strata inside those that are exact.
+
+        What lies on the equations of others alone may be no such stratum.
+        """
         return Stratum(
             self.piece.equations if self.piece else (),
             self.dimension,
             self.codimension,
-            tuple(piece.equations for piece in self.inside),
+            tuple(piece.equations for piece in self.inside if piece.is_exact),
         )
 
 
@@ -70,18 +74,29 @@ class HybridStrata:
         """The same by equations alone."""
         return LimbStrata(tuple(s.equations for s in self.strata), not self.open)
 
-    @property
-    def narrow(self) -> tuple[tuple[Piece, int], ...]:
-        """The largest strata with less than the generic dimension, and theirs."""
+    def narrow(self, given: Sequence[Piece] = ()) -> NarrowStrata:
+        """The largest strata with less than the generic dimension.
+
+        Args:
+            given: Some of them, with more equations than they had.
+        """
         generic = self.strata[0].dimension
-        found: list[tuple[Piece, int]] = []
-        for stratum in self.strata:
-            piece = stratum.piece
-            if piece is None or stratum.dimension >= generic:
-                continue
-            if not any(lies_in(piece.branches[0], known) for known, _ in found):
-                found.append((piece, stratum.dimension))
-        return tuple(found)
+        own = [s.piece for s in self.strata if s.piece and s.dimension < generic]
+        pieces = without_contained([*given, *own])
+        return NarrowStrata(tuple(pieces), undecided(self.open) if self.open else "")
+
+
+@dataclass(frozen=True)
+class NarrowStrata:
+    """The largest strata on which a limb has less than its generic freedom.
+
+    Attributes:
+        pieces: These strata.
+        reason: Why there may be others; empty where there are none.
+    """
+
+    pieces: tuple[Piece, ...]
+    reason: str
 
 
 def hybrid_strata(
@@ -110,7 +125,7 @@ def hybrid_strata(
             below = _below(sheet, parts, height, library)
             inside += below.branches
             left += below.open
-        pieces = tuple(pieces_of(inside))
+        pieces = tuple(pieces_of(inside, surely=True))
         found.append(HybridStratum(piece, motion.dimension, motion.inner_rank, pieces))
         for below_it in pieces:
             if not any(_same(below_it, known) for known in seen):
@@ -134,8 +149,12 @@ def generic_motion(
 
 
 def _same(one: Piece, other: Piece) -> bool:
-    """Whether two irreducible pieces are one: of one size, and one in the other."""
-    return one.codimension == other.codimension and lies_in(one.branches[0], other)
+    """Whether two irreducible pieces are one: of one size, and each in the other."""
+    return (
+        one.codimension == other.codimension
+        and lies_in(one.branches[0], other)
+        and lies_in(other.branches[0], one)
+    )
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,13 @@ from screwkit.kinematics.limb_parts import Parts, columns_of, motion_at
 from screwkit.kinematics.loop_state import LoopState, state_of
 from screwkit.loci.dependence import dependent_zeros
 from screwkit.loci.open_branches import undecided
-from screwkit.loci.pieces import Piece, lies_in, pieces_of, without_contained
+from screwkit.loci.pieces import (
+    Piece,
+    lies_in,
+    pieces_of,
+    surely_in,
+    without_contained,
+)
 from screwkit.loci.strata import LimbStrata, Stratum
 from screwkit.loci.wrench_sums import height_of
 
@@ -166,7 +172,7 @@ def loop_drop(
     open_left = tuple(
         branch
         for branch in undecided
-        if not any(lies_in(branch, piece) for piece in pieces)
+        if not any(surely_in(branch, piece) for piece in pieces)
     )
     return LoopDrop(generic, tuple(pieces), open_left, searched, unsearched)
 

@@ -7,7 +7,6 @@ only an equivalent one is called its meaning.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from functools import cached_property
 
 from screwkit.algebra.branches import Branch, restricted
@@ -15,14 +14,14 @@ from screwkit.algebra.cases import possible_factors
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.points import Point as ExactPoint
-from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.search import Search
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
+from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.kinematics.frames import FramedTwists
-from screwkit.loci.features import Axis, Features, Point, Statement, statements
+from screwkit.loci.features import Features, Statement, statements
+from screwkit.loci.figures import Figures
 from screwkit.loci.pieces import Piece, pieces_of
-from screwkit.screw.vector import Vector, cross, subtract
+from screwkit.loci.placed_features import Residue, features_at, features_of
 
 _GIVEN = "(given"
 _LARGEST = 400  # terms of a statement that is compared with a locus
@@ -32,11 +31,17 @@ class Meanings:
     """The features of a mechanism in one frame, and what loci mean in them."""
 
     def __init__(
-        self, framed: FramedTwists, root: Branch, library: FactorLibrary
+        self,
+        framed: FramedTwists,
+        root: Branch,
+        library: FactorLibrary,
+        figures: Sequence[Figures] = (),
     ) -> None:
+        """What is looked at: axes and points, then figures of lines."""
         self._framed = framed
         self._root = root
         self._library = library
+        self._figures = figures
         self._found: dict[frozenset[str], str | None] = {}
         self._at: dict[tuple[int, ...], Features[Residue]] = {}
 
@@ -68,12 +73,33 @@ class Meanings:
         for statement in candidates:
             if self._same_set(statement, piece):
                 return statement.words
-        return self._given(candidates, piece)
+        figure = self._figure(piece)
+        if figure is not None and _GIVEN not in figure:
+            return figure
+        return self._given(candidates, piece) or figure
+
+    def _figure(self, piece: Piece) -> str | None:
+        """Of lines that become dependent; rather without a proviso."""
+        found = [s for s in (f.of(piece) for f in self._figures) if s is not None]
+        return next((s for s in found if _GIVEN not in s), next(iter(found), None))
+
+    def of_limb(self, piece: Piece) -> str | None:
+        """The same of a limb's twists; of six axes that they are dependent at least."""
+        return self.of(piece) or self.each_of(piece) or self.of_six_lines(piece)
+
+    def of_six_lines(self, piece: Piece) -> str | None:
+        """Six lines of one linear complex, which says no more than dependent."""
+        found = (figures.of(piece, 6, 6) for figures in self._figures)
+        return next((sentence for sentence in found if sentence), None)
 
     def each_of(self, piece: Piece) -> str | None:
         """A sentence for the piece, or one for each of its equations that has one."""
         if len(piece.equations) == 1:
             return self.of(piece)
+        # Whether a statement about axes is several equations at once takes long.
+        whole = self._figure(piece)
+        if whole is not None:
+            return whole
         sentences = []
         for equation in piece.equations:
             branches = restricted(self._root, equation)
@@ -165,122 +191,5 @@ class Meanings:
         return self._at[key]
 
 
-def features_at(
-    exact: Features[Polynomial], point: ExactPoint, prime: int
-) -> Features[Residue]:
-    """The features at an exact point."""
-
-    def at(vector: Vector[Polynomial]) -> Vector[Residue]:
-        x, y, z = (Residue(residue(v, point, prime), prime) for v in vector)
-        return x, y, z
-
-    return Features(
-        tuple(
-            Axis(a.joint, a.limb, at(a.direction), a.point and at(a.point))
-            for a in exact.axes
-        ),
-        tuple(replace(p, position=at(p.position)) for p in exact.points),
-        exact.planes,
-    )
-
-
-class Residue:
-    """An integer mod p with the operations of a scalar."""
-
-    __slots__ = ("prime", "value")
-
-    def __init__(self, value: int, prime: int) -> None:
-        self.value = value
-        self.prime = prime
-
-    def __add__(self, other: Residue) -> Residue:
-        return Residue((self.value + other.value) % self.prime, self.prime)
-
-    def __sub__(self, other: Residue) -> Residue:
-        return Residue((self.value - other.value) % self.prime, self.prime)
-
-    def __mul__(self, other: Residue) -> Residue:
-        return Residue(self.value * other.value % self.prime, self.prime)
-
-    def __neg__(self) -> Residue:
-        return Residue(-self.value % self.prime, self.prime)
-
-
 def _keys(piece: Piece) -> set[str]:
     return {str(primitive(equation)) for equation in piece.equations}
-
-
-def _passes(
-    ring: TrigonometricRing, axis: Axis[Polynomial], point: Vector[Polynomial]
-) -> bool:
-    """Whether an axis contains a point for every posture."""
-    if axis.point is None:
-        return False
-    offset = cross(subtract(point, axis.point), axis.direction)
-    return all(ring.normal(value) == 0 for value in offset)
-
-
-def features_of(framed: FramedTwists) -> Features[Polynomial]:
-    """Axes, and the points in which two or more of them meet for every posture."""
-    ring = framed.ring
-    axes = []
-    centres = {label: joint for joint, labels in framed.balls for label in labels}
-    balls: dict[str, Vector[Polynomial]] = {}
-    for joint, column, point in zip(
-        framed.joints, framed.columns, framed.points, strict=True
-    ):
-        if joint in centres:
-            balls.setdefault(centres[joint], point)
-            continue
-        turning = any(value != 0 for value in column[:3])
-        direction = column[:3] if turning else column[3:]
-        axes.append(
-            Axis(
-                joint,
-                framed.limb_of(joint),
-                tuple(direction),
-                point if turning else None,
-            )
-        )
-    points: list[Point[Polynomial]] = []
-    for joint, centre in balls.items():
-        through = tuple(a.joint for a in axes if _passes(ring, a, centre))
-        points.append(Point(through, (), centre, f"the centre of {joint}"))
-    for axis in axes:
-        if axis.point is None:
-            continue
-        through = tuple(
-            other.joint for other in axes if _passes(ring, other, axis.point)
-        )
-        distinct = _distinct_directions(ring, axes, through)
-        if distinct > 1 and not any(
-            set(through) <= set(known.joints) for known in points
-        ):
-            # A centre stays: one axis through it, or none, does not fix it.
-            points = [p for p in points if p.called or not set(p.joints) < set(through)]
-            own = tuple(j for j in through if framed.limb_of(j) == axis.limb)
-            points.append(Point(through, own, axis.point))
-    planes = []
-    for number, corner in enumerate(points):
-        for i in range(len(corner.joints)):
-            for j in range(i + 1, len(corner.joints)):
-                a, b = corner.joints[i], corner.joints[j]
-                if _distinct_directions(ring, axes, (a, b)) > 1:
-                    planes.append((a, b, number))
-    return Features(tuple(axes), tuple(points), tuple(planes))
-
-
-def _distinct_directions(
-    ring: object, axes: Sequence[Axis[Polynomial]], joints: Sequence[str]
-) -> int:
-    directions: list[Vector[Polynomial]] = []
-    for axis in axes:
-        if axis.joint not in joints:
-            continue
-        normal = ring.normal  # type: ignore[attr-defined]
-        if all(
-            any(normal(v) != 0 for v in cross(axis.direction, other))
-            for other in directions
-        ):
-            directions.append(axis.direction)
-    return len(directions)

@@ -9,6 +9,7 @@ from itertools import islice
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.points import Point, residue
+from screwkit.algebra.proved_inside import left_over
 from screwkit.algebra.trigonometric import Polynomial
 
 
@@ -35,19 +36,35 @@ class Piece:
         """In the space of all free symbols."""
         return self.branches[0].codimension
 
+    @property
+    def is_exact(self) -> bool:
+        """Whether each condition was solved with all its zeros, so that none is left.
+
+        Else the equations may hold on sets of their own beside the piece.
+        """
+        return len(self.equations) < 2 or all(
+            len(branch.pending) < 2 and not any(step.partial for step in branch.steps)
+            for branch in self.branches
+        )
+
     def contains(self, point: Point, prime: int) -> bool:
         """Whether an exact point lies on the piece."""
         return not any(residue(e, point, prime) for e in self.equations)
 
 
-def pieces_of(branches: Iterable[Branch]) -> list[Piece]:
-    """Sheets of the same conditions gathered, and what lies inside another left out."""
+def pieces_of(branches: Iterable[Branch], *, surely: bool = False) -> list[Piece]:
+    """Sheets of the same conditions gathered, and what lies inside another left out.
+
+    Args:
+        branches: Each irreducible.
+        surely: Leave out only what lies in a piece whose equations are exact.
+    """
     groups: dict[frozenset[str], list[Branch]] = {}
     for branch in branches:
         key = frozenset(str(condition) for condition in branch.conditions)
         groups.setdefault(key, []).append(branch)
     pieces = [piece for group in groups.values() for piece in _gathered(group)]
-    return without_contained(pieces)
+    return without_contained(pieces, surely=surely)
 
 
 def _gathered(group: Sequence[Branch]) -> list[Piece]:
@@ -90,12 +107,13 @@ def _opposites(group: Sequence[Branch]) -> set[tuple[str, str]]:
     return found
 
 
-def without_contained(pieces: Sequence[Piece]) -> list[Piece]:
-    """The pieces that lie in no other one."""
+def without_contained(pieces: Sequence[Piece], *, surely: bool = False) -> list[Piece]:
+    """The pieces that lie in no other one; with ``surely`` in none that is exact."""
     ordered = sorted(pieces, key=lambda piece: piece.codimension)
     kept: list[Piece] = []
     for piece in ordered:
-        if not any(_is_part(piece, other) for other in kept):
+        larger = [other for other in kept if other.is_exact or not surely]
+        if not any(_is_part(piece, other) for other in larger):
             kept.append(piece)
     return kept
 
@@ -152,3 +170,16 @@ def lies_in(branch: Branch, piece: Piece) -> bool:
         return True
     points = branch.points
     return bool(points) and all(piece.contains(*point) for point in points)
+
+
+def surely_in(branch: Branch, piece: Piece) -> bool:
+    """Whether all of a branch lies on a piece, with parts that its points do not show.
+
+    Where several conditions are pending the points may lie on one part of it; then a
+    proof is asked for.
+    """
+    if piece.texts <= branch.texts:
+        return True
+    if not lies_in(branch, piece):
+        return False
+    return len(branch.pending) < 2 or left_over(branch, [piece.equations]) == []

@@ -24,7 +24,7 @@ from screwkit.kinematics.subspaces import dimension
 from screwkit.loci.constructions import Geometry
 from screwkit.loci.features import Axis, Features
 from screwkit.loci.lines import Candidate, Catalogue
-from screwkit.loci.meanings import Residue, features_of
+from screwkit.loci.placed_features import Residue, features_of
 from screwkit.screw.nullspace import (
     Column,
     has_pitch,

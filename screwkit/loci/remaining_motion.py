@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.loci.features import Axis, Features
-from screwkit.loci.meanings import Residue
+from screwkit.loci.placed_features import Residue
 from screwkit.screw.vector import Vector, cross, dot, subtract
 
 

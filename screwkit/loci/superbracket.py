@@ -10,43 +10,23 @@ References: [BenHorinShoham2006]; [McMillanWhite1991].
 
 from __future__ import annotations
 
-import random
-from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
 
-from screwkit.algebra.branches import Branch
-from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import residue
-from screwkit.algebra.trigonometric import Polynomial
-from screwkit.errors import ExpressionError
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.bracket_forms import Sample
 from screwkit.loci.brackets import Bracket, Line, bracket
-from screwkit.loci.meanings import features_of
-from screwkit.screw.vector import cross
-
-SAMPLES = 4
-"""Random postures at which incidences are seen and forms compared."""
-
-
-@dataclass(frozen=True)
-class PlacedPoint:
-    """A point in homogeneous coordinates.
-
-    Attributes:
-        name: In words.
-        coordinates: (x, w) over the ring of all limbs; w is 0 for a direction.
-        ideal: Whether it is a direction.
-        arbitrary: Whether another point of its axis would do as well.
-    """
-
-    name: str
-    coordinates: tuple[Polynomial, ...]
-    ideal: bool
-    arbitrary: bool = False
+from screwkit.loci.placed_points import (
+    PlacedPoint,
+    placed_at,
+    placed_points,
+    power,
+    sample_points,
+    wrench_through,
+)
 
 
 @dataclass(frozen=True)
@@ -80,11 +60,11 @@ def six_lines(assembly: Assembly, actuated: Collection[str]) -> SixLines | str:
     root = assembly.root(framed.ring)
     if assembly.dimension != 6:
         return "the mechanism is planar"
-    samples = _samples(root)
+    samples = sample_points(root)
     if not samples:
         return "no exact posture was found"
-    points, owners = _points(assembly, samples)
-    placed = [Sample(_at(points, at, prime), prime) for at, prime in samples]
+    points, owners = placed_points(assembly, samples)
+    placed = [Sample(placed_at(points, at, prime), prime) for at, prime in samples]
     chosen: list[Line] = []
     for number, limb in enumerate(assembly.limbs):
         passive = [joint for joint in limb.joints if joint not in actuated]
@@ -103,6 +83,8 @@ def six_lines(assembly: Assembly, actuated: Collection[str]) -> SixLines | str:
                 f"two of its points"
             )
         chosen += lines
+    if len(chosen) > 6:
+        chosen = _independent_part(chosen, points, placed[0])
     if len(chosen) != 6:
         return f"the limbs have {len(chosen)} wrenches in all, not six"
     used = sorted({i for line in chosen for i in line})
@@ -112,89 +94,6 @@ def six_lines(assembly: Assembly, actuated: Collection[str]) -> SixLines | str:
         tuple((place[a], place[b]) for a, b in chosen),
         tuple(Sample([s.points[i] for i in used], s.prime) for s in placed),
     )
-
-
-def _samples(root: Branch) -> list[tuple[Sequence[int], int]]:
-    source = random.Random(17)
-    found = [root.point(source) for _ in range(SAMPLES)]
-    return [] if None in found else [p for p in found if p is not None]
-
-
-def _at(
-    points: Sequence[PlacedPoint], at: Sequence[int], prime: int
-) -> list[tuple[int, ...]]:
-    return [tuple(residue(x, at, prime) for x in p.coordinates) for p in points]
-
-
-def _points(
-    assembly: Assembly, samples: Sequence[tuple[Sequence[int], int]]
-) -> tuple[list[PlacedPoint], list[set[int]]]:
-    """Points and directions, each once, and the limbs that each belongs to."""
-    points: list[PlacedPoint] = []
-    owners: list[set[int]] = []
-    for point, limbs in _candidates(assembly):
-        known = next(
-            (i for i, other in enumerate(points) if _same(point, other, samples)), None
-        )
-        if known is None:
-            points.append(point)
-            owners.append(set(limbs))
-        else:
-            owners[known] |= limbs
-    return points, owners
-
-
-def _candidates(assembly: Assembly) -> Iterator[tuple[PlacedPoint, set[int]]]:
-    framed = assembly.common_twists
-    ring = framed.ring
-    features = features_of(framed)
-    balls = dict(framed.balls)
-    samples = _samples(assembly.root(ring))
-
-    def homogeneous(name: str, position: Sequence[Polynomial]) -> PlacedPoint:
-        cleared = ring.without_divisors([*position, ring.one])
-        return PlacedPoint(name, tuple(cleared), ideal=False)
-
-    named = []
-    if framed.origin == assembly.mechanism.base:
-        for name, written in assembly.mechanism.points.items():
-            try:
-                values = [ring.normal(evaluate(part, ring)) for part in written]
-            except (ExpressionError, KeyError):
-                continue
-            named.append(homogeneous(name, values))
-    for place in features.points:
-        labels = list(place.joints)
-        for joint, own in balls.items():
-            if place.called == f"the centre of {joint}":
-                labels += own
-        point = homogeneous(place.name, place.position)
-        alike = (n.name for n in named if _same(n, point, samples))
-        limbs = {framed.limb_of(label) for label in labels}
-        yield replace(point, name=next(alike, place.name)), limbs
-    for axis in features.axes:
-        if axis.point is None:
-            continue
-        point = homogeneous(f"a point of axis {axis.joint}", axis.point)
-        same = (n for n in named if _same(n, point, samples))
-        yield next(same, replace(point, arbitrary=True)), {axis.limb}
-    for axis in features.axes:
-        direction = ring.without_divisors([*axis.direction, ring.zero])
-        name = f"the direction of axis {axis.joint}"
-        yield PlacedPoint(name, tuple(direction), ideal=True), {axis.limb}
-
-
-def _same(
-    one: PlacedPoint, other: PlacedPoint, samples: Sequence[tuple[Sequence[int], int]]
-) -> bool:
-    """Whether two points coincide at every posture."""
-    if one.ideal != other.ideal:
-        return False
-    for at, prime in samples:
-        p, q = _at([one, other], at, prime)
-        if any((p[i] * q[j] - p[j] * q[i]) % prime for i in range(4) for j in range(i)):
-            return False
-    return True
 
 
 def _basis(
@@ -217,7 +116,7 @@ def _basis(
         if len(chosen) == wanted:
             break
         reciprocal = all(
-            not _power(wrench_through(s.points[a], s.points[b]), twist) % s.prime
+            not power(wrench_through(s.points[a], s.points[b]), twist) % s.prime
             for own_twists, s in zip(twists, placed, strict=True)
             for twist in own_twists
         )
@@ -226,18 +125,15 @@ def _basis(
     return chosen if len(chosen) == wanted else None
 
 
-def wrench_through(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
-    """(f; m) along the line of two homogeneous points; a couple if both are ideal."""
-    (x, v), (y, w) = (tuple(a[:3]), a[3]), (tuple(b[:3]), b[3])
-    force = [v * q - w * p for p, q in zip(x, y, strict=True)]
-    return [*force, *cross((x[0], x[1], x[2]), (y[0], y[1], y[2]))]
-
-
-def _power(wrench: Sequence[int], twist: Sequence[int]) -> int:
-    force, moment = wrench[:3], wrench[3:]
-    return sum(f * v for f, v in zip(force, twist[3:], strict=True)) + sum(
-        m * w for m, w in zip(moment, twist[:3], strict=True)
-    )
+def _independent_part(
+    lines: Sequence[Line], points: Sequence[PlacedPoint], sample: Sample
+) -> list[Line]:
+    """Lines that span as much, joins of two points before parallels to axes."""
+    kept: list[Line] = []
+    for line in sorted(lines, key=lambda pair: sum(points[i].ideal for i in pair)):
+        if _independent([*kept, line], sample):
+            kept.append(line)
+    return [line for line in lines if line in kept]
 
 
 def _independent(lines: Sequence[Line], sample: Sample) -> bool:

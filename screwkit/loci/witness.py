@@ -20,8 +20,8 @@ from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.subspaces import PlatformSystem
 from screwkit.loci.features import Features, listed
 from screwkit.loci.hybrid_ranks import HybridRanks
-from screwkit.loci.meanings import Residue, features_at, features_of
 from screwkit.loci.passive import PassiveSystem
+from screwkit.loci.placed_features import Residue, features_at, features_of
 from screwkit.loci.remaining_motion import Motion, motion_in_words
 from screwkit.loci.wasted_actuators import (
     HeldFreedoms,

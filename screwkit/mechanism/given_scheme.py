@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from screwkit.algebra.expression import Expression
-from screwkit.algebra.names import did_you_mean
+from screwkit.algebra.names import meant_or_all
 from screwkit.errors import UnknownNameError
 from screwkit.mechanism.graph import actuable_freedoms
 from screwkit.mechanism.model import Joint, Mechanism, freedom_label
@@ -29,7 +29,7 @@ def with_actuated(mechanism: Mechanism, actuated: Sequence[str]) -> Mechanism:
         raise UnknownNameError(f"{twice!r} stands twice among the actuated freedoms")
     for name in actuated:
         if name not in known:
-            hint = did_you_mean(name, known)
+            hint = meant_or_all(name, known)
             raise UnknownNameError(
                 f"no actuable freedom {name!r} in {mechanism.name}{hint}"
             )

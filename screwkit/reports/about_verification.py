@@ -17,7 +17,14 @@ def verification_blocks(answer: Verification) -> tuple[Block, ...]:
     said = "accepted: every list is complete" if every else "accepted, with open lists"
     if every and any(part.sampled_conditions for part in answer.parts):
         said = "accepted: every list is complete, with the reservation below"
+    if answer.schemes and not answer.parts:
+        said = "accepted"
     lines = [Paragraph(words(said), 1)]
+    if answer.schemes:
+        left = answer.schemes - answer.admissible
+        counts = f"{answer.admissible} admissible, {left} not"
+        told = f"{counted(answer.schemes, 'scheme')}: {counts}"
+        lines.append(Paragraph(words(told), 2))
     for part in answer.parts:
         lines.append(Paragraph(words(_line(part)), 2))
         lines += [Paragraph(words(text), 3) for text in _remarks(part)]

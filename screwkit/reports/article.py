@@ -59,6 +59,7 @@ from screwkit.reports.blocks import (
     prose,
     words,
 )
+from screwkit.reports.given_names import given_names, with_given_names
 from screwkit.reports.phrases import platform_called, signed
 from screwkit.reports.records import version
 from screwkit.reports.references import cited, entries, keys_in
@@ -116,11 +117,12 @@ def article(analysis: Analysis) -> Article:
             for row in block.rows:
                 keys = keys.union(*(keys_in(cell) for cell in row))
     body.append(Bibliography(entries(keys)))
+    names = given_names(analysis.description)
     return Article(
         title=analysis.title or analysis.case,
         byline=f"Case {analysis.case}, derived by screwkit {version()}",
-        summary=_summary(analysis),
-        blocks=tuple(body),
+        summary=with_given_names(_summary(analysis), names),
+        blocks=with_given_names(body, names),
     )
 
 

@@ -203,6 +203,7 @@ class Schemes(Shown):
             answer is about that posture and no other.
         redundancy: What added actuators do to the file's own scheme; None where not
             asked for.
+        certificate: Text of one, or where it was written; None where not asked for.
         ranking: By conditioning over a set of postures; None where not asked for.
     """
 
@@ -222,3 +223,4 @@ class Schemes(Shown):
     one_posture: bool = False
     ranking: Ranking | Undecided | None = None
     redundancy: Redundancy | Undecided | None = None
+    certificate: str | None = None

@@ -48,6 +48,8 @@ class Verification(Shown):
         assumptions: What the proofs take for granted, ``d3 > 0``.
         missing: What the certificate says nothing about: ``limb right``, ``constraint``
             or ``actuation``.
+        schemes: How many actuation schemes it speaks of.
+        admissible: How many of these hold the platform in general.
     """
 
     case: str
@@ -57,3 +59,5 @@ class Verification(Shown):
     reason: str = ""
     assumptions: tuple[str, ...] = ()
     missing: tuple[str, ...] = ()
+    schemes: int = 0
+    admissible: int = 0

@@ -7,14 +7,16 @@ import pytest
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch, Pending, restricted
 from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.division import Divisor
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.implied import eliminants
-from screwkit.algebra.nowhere_zero import without_nowhere_zero
+from screwkit.algebra.nowhere_zero import FACTORED, without_nowhere_zero
 from screwkit.algebra.parse import parse
 from screwkit.algebra.points import residue
 from screwkit.algebra.real_zeros import vanishing_together
-from screwkit.algebra.search import Decomposition, Search
+from screwkit.algebra.search import Decomposition, Search, refined
+from screwkit.algebra.splitting import split
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.taken_apart import taken_apart
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
@@ -53,6 +55,30 @@ def test_two_conditions_imply_one_without_an_unknown(
     ring, (first, second, wanted) = polynomials(one, two, implied)
     found = [e for e in eliminants(ring, first, second) if e in (wanted, -wanted)]
     assert found, without
+
+
+def test_a_length_is_not_solved_where_a_pending_condition_makes_it_zero() -> None:
+    """2 a cos p is what the pending condition says is 0: then cos p = 0."""
+    ring, (first, second) = polynomials(
+        "x*sin(q) - y*cos(r) - z", "2*a*cos(p) - x*sin(q) + y*cos(r) + z"
+    )
+    pending = (Pending(first, first),)
+    branch = Branch(ring, POSITIVE, conditions=(first,), pending=pending)
+    symbols = dict(zip(ring.symbols, ring.symbol_indices(), strict=True))
+    parts = split(branch, second, (symbols["a"],))
+    assert parts is not None
+    assert parts.solved is None
+
+
+def test_conditions_that_become_the_same_are_one() -> None:
+    ring, (one, two) = polynomials("x^2*sin(q) + y^2 - z^2", "x^2*sin(r) + y^2 - z^2")
+    pending = Pending(one, one), Pending(two, one)
+    same = Branch(ring, POSITIVE, conditions=(one, two), pending=pending)
+    assert not same.points
+    parts = refined(same, Search(FactorLibrary(ring)))
+    assert parts is not None
+    assert [part.codimension for part in parts] == [1]
+    assert parts[0].points
 
 
 def test_pending_conditions_are_solved_together() -> None:
@@ -114,6 +140,47 @@ def test_a_sum_of_squares_is_a_locus_of_codimension_two(text: str) -> None:
     assert all(branch.codimension == 2 for branch in found.branches)
 
 
+@pytest.mark.parametrize(
+    ("text", "halves"),
+    [
+        ("(x - k)^2 + (y - sqrt(3)*k)^2", ["x - k", "y - sqrt(3)*k"]),
+        ("(x - k*y)^2 + 3*(y - 1)^2", ["x - k*y", "y - 1"]),
+        ("(a*x - sin(p))^2 + (x*cos(p) + 2)^2", ["a*x - sin(p)", "x*cos(p) + 2"]),
+    ],
+)
+def test_two_squares_multiplied_out_are_a_locus_of_codimension_two(
+    text: str, halves: list[str]
+) -> None:
+    ring, decomposed = zeros(text, *(f"0*({half})" for half in halves))
+    own, wanted = polynomials(text, *halves)
+    assert own.names == ring.names
+    assert decomposed.complete
+    assert decomposed.branches
+    for branch in decomposed.branches:
+        assert branch.codimension == 2
+        assert not any(residue(w, *at) for w in wanted for at in branch.points)
+
+
+def test_a_square_and_lengths_are_never_zero() -> None:
+    """Three quarters of it are (x − 2y/3)² + 5y²/9 + 4ab/3."""
+    ring, (polynomial,) = polynomials("3*x^2 - 4*x*y + 3*y^2 + 4*a*b")
+    assert vanishing_together(ring, POSITIVE, polynomial) == [ring.one]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "(x - k)^2 - (y - sqrt(3)*k)^2",
+        "x^2 + x*y - 2",
+        "(x - k)^2 + y*k - 1",
+        "(y^2 - y - k)*(x^2 + 1)",
+    ],
+)
+def test_differences_of_squares_and_products_are_left(text: str) -> None:
+    ring, (polynomial,) = polynomials(text)
+    assert vanishing_together(ring, POSITIVE, polynomial) is None
+
+
 def test_a_root_vanishes_where_its_radicand_does() -> None:
     """√(x² − y²) = 0 on the two lines y = ±x."""
     _, found = zeros("sqrt(x^2 - y^2)*(a + 1)")
@@ -139,6 +206,21 @@ def test_what_is_zero_nowhere_is_divided_out() -> None:
     assert found in (plain, -plain)
     (kept,) = without_nowhere_zero(ring, [plain * plain], [divisor])
     assert kept == plain * plain
+
+
+def test_a_number_is_not_divided_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    """√3 divides every polynomial over Q(√3), and so it would for ever."""
+    left, divide = iter(range(20)), Divisor.divide
+
+    def counted(self: Divisor, polynomial: Polynomial) -> Polynomial | None:
+        next(left)
+        return divide(self, polynomial)
+
+    monkeypatch.setattr(Divisor, "divide", counted)
+    long = "(x + y + sqrt(3)*cos(q))^4*(1 - x*sin(q))^2"
+    ring, (whole, root, unit) = polynomials(long, "sqrt(3)", "2 + sqrt(3)")
+    assert len(whole) > FACTORED
+    assert without_nowhere_zero(ring, [whole], [root, unit]) == [whole]
 
 
 def test_an_angle_in_numbers_is_not_two_angles() -> None:

@@ -34,6 +34,8 @@ PRODUCT = "(x + sqrt(3)*y)*(x*y + sqrt(3)*z*w)"
         (PRODUCT, [1, 1], False),
         ("(x + sqrt(3)*y)**2*(x - sqrt(3)*y + z)", [1, 2], False),
         ("sqrt(3)*x*(x + sqrt(3)*y)", [1, 1], True),
+        ("(x - 1)*(x + 1)*(x*y + sqrt(3)*z)", [1, 1, 1], False),
+        ("(x**2 + y + x - sqrt(3)*z)*(x**2 + y - x + sqrt(3)*z)", [1, 1], False),
     ],
 )
 def test_the_factors_make_up_the_polynomial(
@@ -42,6 +44,7 @@ def test_the_factors_make_up_the_polynomial(
     ring, (value,) = polynomials(text)
     found = factor(ring, value)
     assert sorted(n for _, n in found.factors) == multiplicities
+    assert found.certified
     assert found.expand(ring) == value
     assert (found.unit is not None) == irrational
 

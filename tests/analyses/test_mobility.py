@@ -23,7 +23,7 @@ from loci.numeric import Array, Posture, rank, values
 from scipy.linalg import null_space
 
 from screwkit.analyses.mobility import mobility
-from screwkit.case import load
+from screwkit.case import load, load_text
 from screwkit.kinematics.network import Network
 from screwkit.mechanism.joints import CATALOGUE
 from screwkit.mechanism.model import Joint, JointType, Mechanism
@@ -169,6 +169,44 @@ def test_loose_bodies_are_named() -> None:
     assert found.topology.components == 3
     assert found.platform.twist_dimension == 6
     assert nao.the_mobility().loose_bodies == ()
+
+
+def test_loops_that_restrain_no_joint_have_no_others_to_follow_from() -> None:
+    text = (
+        "screwkit: 1\nname: welds\ntitle: Three bodies in one piece\n"
+        "geometry: posture\nbase: a\nplatform: b\nlinks: [a, b, c]\njoints:\n"
+        "  - {name: ab, type: fixed, parent: a, child: b}\n"
+        "  - {name: bc, type: fixed, parent: b, child: c}\n"
+        "  - {name: ca, type: fixed, parent: c, child: a}\n"
+    )
+    answer = mobility(load_text(text).network)
+    assert answer.redundant_constraints == 6
+    told = answer.workings[0].remark
+    assert told == "none of the 6 closure equations restrains a joint"
+
+
+def test_samples_say_that_contacts_were_not_rolled() -> None:
+    # Two sliders along one line press on a plate: whether it goes on moving after the
+    # first instant depends on how the fingertips are curved.
+    text = (
+        "screwkit: 1\nname: pinch\ntitle: A plate between two slides\n"
+        "geometry: posture\nbase: g\nplatform: plate\nlinks: [g, a, b, plate]\n"
+        "joints:\n"
+        "  - {name: left, type: prismatic, parent: g, child: a, axis: [1, 0, 0]}\n"
+        "  - {name: tip, type: {TIP}, parent: a, child: plate, point: [1, 0, 0], "
+        "{NORMAL}: [1, 0, 0]}\n"
+        "  - {name: right, type: prismatic, parent: g, child: plate, axis: [1, 0, 0]}\n"
+        "  - {name: rail, type: prismatic, parent: g, child: b, axis: [0, 1, 0]}\n"
+        "  - {name: edge, type: {TIP}, parent: b, child: plate, point: [3, 0, 1], "
+        "{NORMAL}: [0, 0, 1]}\n"
+    )
+    tips = text.replace("{TIP}", "point").replace("{NORMAL}", "normal")
+    touched = mobility(load_text(tips).network).full_cycle
+    joints = text.replace("{TIP}", "planar").replace("{NORMAL}", "normal")
+    joints = joints.replace("point: [1, 0, 0], ", "").replace("point: [3, 0, 1], ", "")
+    jointed = mobility(load_text(joints).network).full_cycle
+    assert "rolling" in touched.reason
+    assert "rolling" not in jointed.reason
 
 
 def test_connectivity_of_the_arms() -> None:

@@ -136,6 +136,21 @@ def test_idle_freedoms_in_words() -> None:
     )
 
 
+def test_a_lid_on_two_hinges_is_no_leg() -> None:
+    """It turns about the line of its hinges, and belongs to its box alone."""
+    made = four_bar()
+    lid = [
+        joint(name, JointType.REVOLUTE, made.base, "lid", (1, 0, 0), (x, 9, 0))
+        for name, x in (("left", 5), ("right", 8))
+    ]
+    found = of(replace(made, joints=(*made.joints, *lid)))
+    words = [one.description for one in found.remaining_freedoms]
+    assert (
+        "left and right turn together: lid rotates about the line through left and "
+        "right" in words
+    )
+
+
 def test_two_bodies_spin_about_one_line() -> None:
     """A leg of two bodies with a slider between its balls."""
     made = six_rods()

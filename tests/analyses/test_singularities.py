@@ -17,6 +17,7 @@ from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.parse import parse
 from screwkit.algebra.search import Search
+from screwkit.analyses.singularities import limb_singularities
 from screwkit.loci.loop_drop import loop_state
 
 RIGHT, LEFT = 0, 1
@@ -298,3 +299,19 @@ def test_an_equation_whose_factors_are_not_certified_is_assumed_not_to_split() -
     for name in ("3rpr_planar", "five_bar"):
         assumed = sk.singularities(sk.load(name)).assumptions
         assert not any("does not split" in text for text in assumed)
+
+
+def test_one_component_alone_is_not_searched_for_meetings(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Deeper ranks on it are no intersection; those of seven-joint arms take long."""
+
+    def never(*_: object) -> None:
+        raise AssertionError("nothing meets the only component")
+
+    monkeypatch.setattr("screwkit.analyses.singularities.limb_drop", never)
+    assembly = sk.load("3rrr_planar").assembly
+    found = limb_singularities(assembly, assembly.limbs[0])
+    assert found.complete
+    assert len(found.components) == 1
+    assert found.intersections == ()

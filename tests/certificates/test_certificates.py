@@ -45,6 +45,9 @@ PROVED = (
     "4H_equal_pitch",
     "3prs",
     "gough_33_octahedral",
+    "gough_6sps",
+    "tricept",
+    "3upu_wrist",
 )
 
 
@@ -92,16 +95,23 @@ def test_what_a_certificate_leaves_out_is_named(tmp_path: Path) -> None:
     path = tmp_path / "certificate.json"
     path.write_text(json.dumps(document), encoding="utf-8")
     assert verify(None, str(path)).missing == ()
+    (rested,) = (p["proof"] for p in document["parts"] if p["question"] == "constraint")
+    needed = {own["limb"] for own in rested["limbs"]}
+    (spare,) = {"leg1", "leg2", "leg3"} - needed
     document["parts"] = [
         part
         for part in document["parts"]
-        if part["question"] != "actuation" and part.get("limb") != "leg2"
+        if part["question"] != "actuation" and part.get("limb") != spare
     ]
     path.write_text(json.dumps(document), encoding="utf-8")
     found = verify(None, str(path))
     assert found.accepted
-    assert found.missing == ("limb leg2", "actuation")
+    assert found.missing == (f"limb {spare}", "actuation")
     assert "every list is complete" not in str(found)
+    # What the proof of the constraints rests on cannot be left out.
+    document["parts"] = [p for p in document["parts"] if p.get("limb") not in needed]
+    path.write_text(json.dumps(document), encoding="utf-8")
+    assert "no part proves" in verify(None, str(path)).reason
 
 
 def test_a_mechanism_without_limbs_has_nothing_to_prove() -> None:
@@ -127,6 +137,7 @@ def nodes(part: dict[str, Any]) -> Iterator[dict[str, Any]]:
         for case in node.get("cases", ()):
             waiting += [sheet["node"] for sheet in case.get("sheets", ())]
             waiting += [case["kept"]] if "kept" in case else []
+        waiting += [n for own in node.get("limbs", ()) for n in own.get("fallen", ())]
 
 
 def every_case(document: dict[str, Any]) -> Iterator[dict[str, Any]]:

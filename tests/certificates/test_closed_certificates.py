@@ -209,6 +209,19 @@ joints:
     assert "ties" in refused(document, text)
 
 
+def test_schemes_are_not_spoken_of() -> None:
+    """The crank holds a four-bar at random open postures too: that says nothing."""
+    document = json.loads(written(FOUR_BAR))
+    own = part_of(document, "constraint")
+    document["schemes"] = {
+        "origin": own["origin"],
+        "angles": own["angles"],
+        "schemes": [{"actuated": ["1"], "freedom": 0}],
+        "form": "loops",
+    }
+    assert "tie" in refused(document, FOUR_BAR)
+
+
 # -- one angle in numbers ------------------------------------------------------------
 
 

@@ -16,6 +16,7 @@ from certificates.forged import (
 )
 
 from screwkit.case import load_text
+from screwkit.certificates.checking import _PartCheck
 from screwkit.certificates.general_claims import GeneralClaims
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import (
@@ -144,3 +145,33 @@ def test_zero_is_no_equation_of_dimensions() -> None:
 def fixed(cases: tuple[Case, ...]) -> tuple[Case, ...]:
     """Powers count squares where some case has two equations."""
     return tuple(replace(own, power=1) for own in cases)
+
+
+PRODUCT = three_joints(
+    "parameters: {a: {value: 1, positive: true}, c: {value: 1, positive: true}, b: 2}\n"
+    "variables: {q: {value: 0.3, angle: true}, x: 1}",
+    "[c, 0]",
+    "[0, (a - c*x)*x*sin(q)]",
+)
+
+
+def test_where_a_length_vanishes_nothing_is() -> None:
+    """On x = 0 the length a is c·x, by the step before: 0."""
+    steps = (
+        Step("symbol", symbol="a", value="c*x", over="1"),
+        Step("symbol", symbol="x", value="0", over="1"),
+    )
+    check = part_check(PRODUCT)
+    check._node(Node(0, vanishing="a"), Way(steps))
+    for name, way, why in (
+        ("b", Way((Step("symbol", symbol="b", value="0", over="1"),)), "may be 0"),
+        ("x", Way(steps), "may be 0"),
+        ("a", Way(steps[:1]), "not 0 on it"),
+        ("c", Way(steps), "not 0 on it"),
+    ):
+        with pytest.raises(RefusedError, match=why):
+            part_check(PRODUCT)._node(Node(0, vanishing=name), way)
+
+
+def part_check(mechanism: str) -> _PartCheck:
+    return _PartCheck(load_text(mechanism).mechanism, limb(), random.Random(2))

@@ -293,6 +293,18 @@ def test_a_slipping_pin_is_set_apart_from_a_shaky_rest() -> None:
     assert "idle" in proof.reason
 
 
+def test_what_the_two_joints_of_the_platform_share_is_not_called_idle() -> None:
+    # A door on two hinges in line turns, and the door is what is asked for.
+    door = network(
+        hinge("a", "ground", "door", (0, 0, 0)), hinge("b", "ground", "door", (0, 0, 5))
+    )
+    proof = proved_mobility(door, door.motion)
+    assert proof is not None
+    assert proof.mobility == (1,)
+    assert "idle" not in proof.reason
+    assert "the freedom that the two joints of door share (1)" in proof.reason
+
+
 def test_a_planar_motion_inside_a_loop_with_one_rate_too_many() -> None:
     # With the two x axes at rest R P R R is a planar loop of one freedom.
     loop = network(

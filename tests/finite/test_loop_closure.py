@@ -253,8 +253,10 @@ def test_what_the_loops_forbid_is_told() -> None:
     found = moved_to(rigid, {"J0": 0.5})
     assert not found.closed
     assert not found.reached
-    with pytest.raises(UnknownNameError, match="no freedom 'J9'"):
+    with pytest.raises(UnknownNameError, match=r"no freedom 'J9' \(did you mean 'J"):
         moved_to(rigid, {"J9": 1.0})
+    with pytest.raises(UnknownNameError, match=r"'knee'; there are J0, J1, J2$"):
+        moved_to(rigid, {"knee": 1.0})
 
 
 def test_a_chain_without_loops_is_where_it_is_sent() -> None:

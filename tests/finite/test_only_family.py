@@ -154,13 +154,6 @@ def test_legs_in_parallel_planes_keep_their_platform_to_planar_motion(
     assert proof.mobility == (3,)
 
 
-def test_rods_on_a_circle_are_not_claimed() -> None:
-    """There the second order leaves every rate: nothing is said from it."""
-    circle = [(5, 0, 0), (0, 5, 0), (-5, 0, 0), (3, 4, 0), (-4, 3, 0)]
-    plate = plate_on_rods(circle, (0, 0, 3))
-    assert proved_mobility(plate, plate.motion) is None
-
-
 @pytest.mark.parametrize("frame", FRAMES)
 def test_balls_turn_about_the_axes_of_the_hinges_beside_them(frame: Frame) -> None:
     """Arms of one length swing in a plane, and a bar on their balls across it.

@@ -156,3 +156,12 @@ def test_the_commands_refuse_in_the_same_words(
 def test_a_freedom_named_twice_is_refused() -> None:
     with pytest.raises(UnknownNameError, match="'A' stands twice"):
         load("bennett", actuated=["A", "B", "A"])
+
+
+def test_an_unknown_actuator_is_told_which_there_are() -> None:
+    with pytest.raises(
+        UnknownNameError, match=r"'Z' in bennett; there are A, B, C, D$"
+    ):
+        load("bennett", actuated=["Z"])
+    with pytest.raises(UnknownNameError, match=r"did you mean 'A'"):
+        load("bennett", actuated=["A:1"])

@@ -79,9 +79,32 @@ def test_parallel_first_axes_are_a_singularity_of_the_loop(
     at |= {"t": t, "u": 0.0}
     assert loop_rank(at) == 5
     families = [c.equations for c in found.components]
+    there = [own for own in families if all(abs(value(e, at)) < 1e-12 for e in own)]
+    assert [set(own) for own in there] == [{"sin(t)", "u"}]
+
+
+LAST = "child: base, axis: [0, 1, 1]"
+LINKS = "platform: tool\nlinks: [base, crank, rod, last, tool]"
+AGAIN = """  - {name: C2x, type: cylindrical, parent: rod, child: last, axis: [u, v, 1],
+     point: [x, y, z]}
+"""
+
+
+def test_the_same_of_a_limb_that_holds_one_of_the_joints_twice(tmp_path: Path) -> None:
+    """Two joints on one axis between the same bodies move as one: the twists are 7."""
+    file = tmp_path / "hybrid.yaml"
+    text = RCCC.replace("platform: last\nlinks: [base, crank, rod, last]", LINKS)
+    assert LAST in text
+    text = text.replace(LAST, LAST.replace("base", "tool")) + AGAIN
+    file.write_text(text, encoding="utf-8")
+    (limb,) = sk.singularities(sk.load(file)).limb
+    assert (limb.generic_rank, limb.complete) == (6, True)
+    source = np.random.default_rng(3)
+    at = dict(zip((*NAMES, "a", "d"), source.uniform(0.5, 2, 8), strict=True))
+    at |= {"t": 0.0, "u": 0.0}
+    assert loop_rank(at) == 5
+    families = [c.equations for c in limb.components]
     assert any(all(abs(value(e, at)) < 1e-12 for e in own) for own in families)
-    alone = [own for own in families if len(own) == 2]
-    assert [set(own) for own in alone] == [{"sin(t)", "u"}]
 
 
 LIMB = """screwkit: 1

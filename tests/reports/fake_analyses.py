@@ -51,6 +51,28 @@ def greedy(_case: object) -> int:
     return len(bytearray(1 << 34))
 
 
+NO_ROOM = "libopenblas.so: failed to map segment from shared object"
+
+
+def without_room(_case: object) -> None:
+    raise ImportError(NO_ROOM)
+
+
+def without_room_inside(_case: object) -> None:
+    try:
+        without_room(_case)
+    except ImportError as error:
+        raise ImportError("importing the C extensions failed") from error
+
+
+def broken_import(_case: object) -> None:
+    from screwkit.errors import no_such_error  # type: ignore[attr-defined]  # noqa: F401, PLC0415
+
+
+def nothing_may_run(_case: object) -> None:
+    raise ImportError(f"{NO_ROOM}: Operation not permitted")
+
+
 def too_large(_case: object) -> None:
     raise TooLargeError("15 million terms; try --set some of the dimensions")
 

@@ -1,0 +1,173 @@
+"""A limb's twists on a branch: its rank, minors that show it, wrenches that do no work.
+
+References: [LongCaroKhalil2012] (4)-(9), (26).
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.factor_library import FactorLibrary
+from screwkit.algebra.minors import minors_of
+from screwkit.algebra.modular import independent, rank
+from screwkit.algebra.points import Point, residue
+from screwkit.algebra.trigonometric import Polynomial
+from screwkit.certificates.records import Multiple, OfLimb
+from screwkit.certificates.steps import added, followed
+from screwkit.conventions import SCREW_DIMENSION
+from screwkit.loci.wrench_vectors import Vector, spanning_wrenches
+
+FILLED = 300_000
+"""Products of terms that one more column of a minor may take."""
+
+Shown: TypeAlias = Callable[[Sequence[Polynomial]], tuple[Multiple, ...] | None]
+"""Which of some values are multiples of conditions; None where one is not 0."""
+
+
+@dataclass(frozen=True)
+class LimbSystem:
+    """The twists of a limb in all six coordinates.
+
+    Attributes:
+        name: Of the limb.
+        labels: Its freedoms that are not locked.
+        columns: Their twists.
+        rank: Of all its twists in general.
+        components: Where it falls; None where that is not proved, or joints are locked.
+    """
+
+    name: str
+    labels: tuple[str, ...]
+    columns: tuple[tuple[Polynomial, ...], ...]
+    rank: int
+    components: tuple[tuple[Polynomial, ...], ...] | None
+
+
+@dataclass(frozen=True)
+class Wrench:
+    """A covector, and why it annihilates the twists of its limb.
+
+    Attributes:
+        covector: In the order of the coordinates of a twist.
+        work: Products with twists, by number of the freedom, that vanish as multiples
+            of a condition.
+    """
+
+    covector: Vector
+    work: tuple[Multiple, ...]
+
+    @property
+    def terms(self) -> int:
+        """Of all coordinates."""
+        return sum(map(len, self.covector))
+
+
+@dataclass(frozen=True)
+class RankClaim:
+    """Why the rank of a limb is no less than some number.
+
+    Attributes:
+        said: Without wrenches.
+        minor: The polynomial that must not vanish; None where the limb's part is used.
+        over: Powers of divisors of steps that it was multiplied by.
+    """
+
+    said: OfLimb
+    minor: Polynomial | None
+    over: dict[str, int]
+
+
+@dataclass(frozen=True)
+class LimbHere:
+    """A limb on a branch, at one of its points.
+
+    Attributes:
+        columns: On the branch, with powers of the steps' divisors they were multiplied
+            by.
+        values: Of the columns at the point.
+        prime: Modulus of the point.
+        rank: At the point.
+    """
+
+    system: LimbSystem
+    branch: Branch
+    columns: tuple[tuple[list[Polynomial], dict[str, int]], ...]
+    values: tuple[tuple[int, ...], ...]
+    prime: int
+    rank: int
+
+    @classmethod
+    def of(cls, system: LimbSystem, branch: Branch, at: tuple[Point, int]) -> LimbHere:
+        """A limb at a point of a branch."""
+        columns = tuple(followed(branch, column) for column in system.columns)
+        values = tuple(
+            tuple(residue(x, *at) for x in column) for column in system.columns
+        )
+        return cls(system, branch, columns, values, at[1], rank(values, at[1]))
+
+    @property
+    def is_regular(self) -> bool:
+        """Whether the limb's own list says where its rank is less than here."""
+        own = self.system
+        return own.components is not None and own.rank == self.rank
+
+    def wrenches(self, library: FactorLibrary, shown: Shown) -> list[Wrench]:
+        """Covectors that annihilate its twists, and span all that do at the point.
+
+        Those of which that cannot be shown are left out.
+
+        Raises:
+            TooLargeError: If they are too long.
+        """
+        order = sorted(range(len(self.columns)), key=self._weight)
+        chosen = independent([self.values[k] for k in order], self.prime)
+        own = [self.columns[order[k]][0] for k in chosen]
+        extensor = minors_of(self.branch.ring, own, FILLED)
+        found = spanning_wrenches(
+            self.branch, extensor, SCREW_DIMENSION, self.rank, library
+        )
+        if not self.branch.pending:  # then the other twists depend on the chosen ones
+            return [Wrench(covector, ()) for covector in found]
+        pairs = ((covector, shown(self._works(covector))) for covector in found)
+        return [Wrench(own, work) for own, work in pairs if work is not None]
+
+    def _works(self, covector: Vector) -> list[Polynomial]:
+        ring = self.branch.ring
+        return [
+            ring.normal(
+                sum((a * b for a, b in zip(covector, own, strict=True)), ring.zero)
+            )
+            for own in self.system.columns
+        ]
+
+    def _weight(self, number: int) -> int:
+        return sum(map(len, self.columns[number][0]))
+
+    def claim(self, source: random.Random | None) -> RankClaim:
+        """That its rank is no less than here.
+
+        Raises:
+            TooLargeError: If that takes a minor that is too long.
+        """
+        if self.is_regular:
+            return RankClaim(OfLimb(self.system.name, self.rank), None, {})
+        order = sorted(range(len(self.columns)), key=self._weight)
+        places = list(range(SCREW_DIMENSION))
+        if source is not None:
+            source.shuffle(order)
+            source.shuffle(places)
+        found = independent([self.values[k] for k in order], self.prime)
+        chosen = sorted(order[k] for k in found)
+        across = [[self.values[k][place] for k in chosen] for place in places]
+        rows = sorted(places[k] for k in independent(across, self.prime))
+        ring = self.branch.ring
+        entries = [[self.columns[k][0][row] for row in rows] for k in chosen]
+        minors = minors_of(ring, entries, FILLED)
+        value = minors.get((1 << len(chosen)) - 1, ring.zero)
+        labels = tuple(self.system.labels[k] for k in chosen)
+        said = OfLimb(self.system.name, self.rank, tuple(rows), labels)
+        return RankClaim(said, value, added(*(self.columns[k][1] for k in chosen)))

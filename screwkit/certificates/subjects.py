@@ -1,0 +1,118 @@
+"""What parts of a certificate are about: a limb, loops of limbs, a joint graph."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.factor_library import FactorLibrary
+from screwkit.certificates.limb_systems import LimbSystem
+from screwkit.certificates.loop_equations import LoopEquations
+from screwkit.certificates.minor_choice import Matrix
+from screwkit.certificates.records import Part
+from screwkit.certificates.texts import read
+from screwkit.kinematics.assembly import Assembly, LimbChain
+from screwkit.kinematics.frames import FramedTwists
+from screwkit.kinematics.whole_graph import WholeGraph
+from screwkit.mechanism.model import Mechanism
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What a part is about.
+
+    Attributes:
+        mechanism: The whole.
+        root: The configuration space of the ring of ``framed``.
+        chain: The joints whose twists stand in ``framed``.
+        form: Of the matrix, as in `Part`.
+        limbs: Of limbs that are chains, where the matrix is that of their loops.
+        parts: About these limbs.
+    """
+
+    mechanism: Mechanism
+    root: Branch
+    library: FactorLibrary
+    framed: FramedTwists
+    matrix: Matrix | LoopEquations
+    chain: tuple[str, ...]
+    form: str = ""
+    limbs: tuple[LimbSystem, ...] = ()
+    parts: tuple[Part, ...] = ()
+
+
+def of_limb(assembly: Assembly, limb: LimbChain) -> Subject:
+    """Of a limb's own twists."""
+    framed = assembly.limb_twists[limb.name]
+    matrix = Matrix(
+        (tuple(framed.column(joint) for joint in limb.joints),),
+        (limb.joints,),
+        tuple(range(6)),
+        single=True,
+    )
+    return _subject(assembly, framed, matrix, limb.chain)
+
+
+def of_loops(
+    assembly: Assembly, locked: Sequence[str], limbs: Sequence[Part]
+) -> Subject:
+    """Of the loops that limbs close.
+
+    Args:
+        assembly: Of the mechanism.
+        locked: Freedoms that are held.
+        limbs: The parts about its limbs.
+    """
+    left = [[j for j in limb.joints if j not in locked] for limb in assembly.limbs]
+    matrix = Matrix(
+        tuple(tuple(map(tuple, assembly.told(own))) for own in left),
+        tuple(map(tuple, left)),
+        assembly.telling,
+        single=False,
+    )
+    chain = [name for limb in assembly.limbs for name in limb.chain]
+    subject = _subject(assembly, assembly.common_twists, matrix, chain)
+    systems = [
+        _system(assembly, limb, locked, part)
+        for limb, part in zip(assembly.limbs, limbs, strict=True)
+    ]
+    return replace(subject, limbs=tuple(systems), parts=tuple(limbs))
+
+
+def _system(
+    assembly: Assembly, limb: LimbChain, locked: Sequence[str], part: Part
+) -> LimbSystem:
+    """A limb in the frame of all, with what its own part proves."""
+    framed = assembly.common_twists
+    labels = tuple(joint for joint in limb.joints if joint not in locked)
+    components = None
+    if part.proof is not None and len(labels) == len(limb.joints):
+        components = tuple(
+            tuple(evaluate(read(e), framed.ring) for e in locus.equations)
+            for locus in part.components
+        )
+    columns = tuple(tuple(framed.column(joint)) for joint in labels)
+    return LimbSystem(limb.name, labels, columns, part.rank, components)
+
+
+def _subject(
+    assembly: Assembly, framed: FramedTwists, matrix: Matrix, chain: Sequence[str]
+) -> Subject:
+    root, library = assembly.root(framed.ring), assembly.library(framed.ring)
+    return Subject(assembly.mechanism, root, library, framed, matrix, tuple(chain))
+
+
+def of_graph(graph: WholeGraph, own: WholeGraph, matrix: LoopEquations) -> Subject:
+    """Of loop equations.
+
+    Args:
+        graph: Of the whole mechanism.
+        own: Of it, or of the limb that is asked about.
+        matrix: Of these loop equations.
+    """
+    chain = tuple(joint.name for joint in own.mechanism.joints)
+    return Subject(
+        graph.mechanism, own.root, own.library, own.framed, matrix, chain, "loops"
+    )

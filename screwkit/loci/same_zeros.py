@@ -1,0 +1,84 @@
+"""Whether polynomials that vanish on a piece vanish nowhere else."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import islice
+
+from screwkit.algebra.branches import Branch, restricted
+from screwkit.algebra.cases import possible_factors
+from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.factors import FactorLibrary
+from screwkit.algebra.search import Search
+from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.loci.pieces import Piece, lies_in
+
+LARGEST = 1_500
+"""Terms of a polynomial that is factored for this."""
+
+_SQUARED = 40  # terms of polynomials whose squares are added up
+_FACTORED = 8  # polynomials that are looked at one by one
+_BUDGET = 40  # case distinctions
+
+
+def zeros_beside(
+    piece: Piece, scalars: Sequence[Polynomial], root: Branch, library: FactorLibrary
+) -> list[Polynomial] | None:
+    """Conditions on which all of these vanish too, although they are not the piece.
+
+    Args:
+        piece: Where they all vanish.
+        scalars: In normal form.
+        root: The space in which the piece lies.
+        library: Factors met before, of the same ring.
+
+    Returns:
+        An empty list where the piece is all; None where that is not known, or what is
+        beside it takes more than one equation.
+    """
+    once = {str(v): v for v in map(primitive, filter(bool, scalars))}
+    values = sorted(once.values(), key=len)
+    if not values or len(values[0]) > LARGEST:
+        return None
+    if len(piece.equations) == 1:
+        key = str(primitive(piece.equations[0]))
+        for value in islice(values, _FACTORED):
+            beside = _beside(value, key, root, library)
+            if beside == [] or (beside is not None and len(values) == 1):
+                return beside
+        if len(values) == 1:
+            return None
+        # Real numbers are all zero exactly where the sum of their squares is.
+        if sum(map(len, values)) <= _SQUARED:
+            ring = root.ring
+            square = ring.normal(sum((v * v for v in values), ring.zero))
+            if square != 0 and _beside(square, key, root, library) == []:
+                return []
+    if any(len(value) > LARGEST for value in values):
+        return None
+    zeros = common_zeros(root, values, Search(library, budget=_BUDGET))
+    if not zeros.complete or not zeros.branches:
+        return None
+    inside = all(b.points and lies_in(b, piece) for b in zeros.branches)
+    return [] if inside else None
+
+
+def _beside(
+    value: Polynomial, key: str, root: Branch, library: FactorLibrary
+) -> list[Polynomial] | None:
+    """The other factors; None where the piece's own is none of them."""
+    if len(value) > LARGEST:
+        return None
+    factors = possible_factors(root, value, library)
+    if all(f.key != key for f in factors):
+        return None
+    return [
+        f.equations[0]
+        for f in factors
+        if f.key != key and not is_special(root, f.equations[0])
+    ]
+
+
+def is_special(root: Branch, equation: Polynomial) -> bool:
+    """Whether an equation ties the dimensions alone: a special mechanism."""
+    return any(branch.is_special for branch in restricted(root, equation))
