@@ -150,22 +150,26 @@ def singularities(
         from screwkit.sliced import sliced_singularities  # noqa: PLC0415
 
         return sliced_singularities(case, slices, Path(output), singularities)
-    if case.network.tied and not case.wanted and not certificate and not strata:
+    if case.network.tied and not case.wanted and not strata:
         from screwkit.analyses.tied_branch import tied_graph  # noqa: PLC0415
         from screwkit.analyses.tied_singularities import (  # noqa: PLC0415
             tied_singularities,
         )
 
         tied = tied_graph(case.network)
-        return tied_singularities(tied, progress=progress, finished=finished)
+        closed = tied_singularities(tied, progress=progress, finished=finished)
+        if certificate:
+            from screwkit.verification import certificate_of  # noqa: PLC0415
+
+            written = certificate_of(case, closed, progress)
+            closed = replace(closed, certificate=written)
+        return closed
     _need_exact_posture(case)
-    if case.network.tied and (strata or certificate):
-        asked, left = ("--strata", "where several hold together is not looked for")
-        if not strata:
-            asked, left = ("--certificate", "no certificate of them can be written yet")
+    if case.network.tied and strata:
         raise UndecidedError(
-            f"{case.network.tied}; conditions there hold at closed postures, and "
-            f"{left}; without {asked} this question is answered"
+            f"{case.network.tied}; conditions there hold at closed postures, and where "
+            f"several hold together is not looked for; without --strata this question "
+            f"is answered"
         )
     if case.graph is not None:
         from screwkit.analyses.graph_singularities import (  # noqa: PLC0415

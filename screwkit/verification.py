@@ -46,6 +46,14 @@ def certificate_of(
     from screwkit.reports.records import version  # noqa: PLC0415
 
     source = _source(case)
+    if case.network.tied:
+        from screwkit.analyses.tied_branch import tied_graph  # noqa: PLC0415
+        from screwkit.certificates.tied_certification import (  # noqa: PLC0415
+            certified_tied,
+        )
+
+        tied = tied_graph(case.network)
+        return to_text(certified_tied(tied, answer, source, version(), progress))
     graph = case.graph
     if graph is None and case.assembly.has_blocks:
         graph = WholeGraph(case.mechanism)

@@ -43,17 +43,21 @@ class Solved:
     """An unknown as a quotient of polynomials without it.
 
     Attributes:
+        unknown: Which.
+        pair: The two equations that give it.
         numerators: (index of a generator, numerator).
         divisor: Of both.
     """
 
+    unknown: Unknown
+    pair: tuple[Polynomial, Polynomial]
     numerators: tuple[tuple[int, Polynomial], ...]
     divisor: Polynomial
 
 
 @dataclass(frozen=True)
 class Determined:
-    """An unknown that one equation alone contains."""
+    """An unknown that one equation gives: others lack it, or lose it by products."""
 
     unknown: Unknown
     equation: Polynomial
@@ -182,12 +186,12 @@ def _steps(
     for unknown in open_ones:
         places = [i for i, p in enumerate(pool) if unknown in unknowns(ring, p)]
         if len(places) == 1:
-            if _parts(ring, pool[places[0]], unknown) is not None:
+            if parts_in(ring, pool[places[0]], unknown) is not None:
                 rest = [p for i, p in enumerate(pool) if i != places[0]]
                 yield Determined(unknown, pool[places[0]]), rest
                 return
             continue
-        parts = {i: _parts(ring, pool[i], unknown) for i in places}
+        parts = {i: parts_in(ring, pool[i], unknown) for i in places}
         linear = [i for i in places if parts[i] is not None]
         if norms and unknown[0] == "angle":
             alone += [(len(pool[i]), unknown, i) for i in linear]
@@ -213,7 +217,7 @@ def _is_even(
     ring: TrigonometricRing, one: Polynomial, two: Polynomial, unknown: Unknown
 ) -> bool:
     """Whether the divisor of a pair is a number."""
-    parts = _parts(ring, one, unknown), _parts(ring, two, unknown)
+    parts = parts_in(ring, one, unknown), parts_in(ring, two, unknown)
     if unknown[0] == "x" or parts[0] is None or parts[1] is None:
         return any(part is not None and part[0].is_constant() for part in parts)
     (p, q, _), (s, t, _) = parts[0], parts[1]
@@ -244,7 +248,7 @@ def _without(
     return step, [primitive(p) for p in rest if p != 0]
 
 
-def _parts(
+def parts_in(
     ring: TrigonometricRing, polynomial: Polynomial, unknown: Unknown
 ) -> tuple[Polynomial, ...] | None:
     """(P, Q, R) of P·sin + Q·cos + R, or (A, B) of A·x + B; None where not linear."""
@@ -260,7 +264,7 @@ def _solved(
     ring: TrigonometricRing, pair: Sequence[Polynomial], unknown: Unknown
 ) -> tuple[Solved, list[Polynomial]] | None:
     """The unknown of two linear equations, and what is left of them."""
-    one, two = (_parts(ring, p, unknown) for p in pair)
+    one, two = (parts_in(ring, p, unknown) for p in pair)
     if one is None or two is None:
         return None
     kind, number = unknown
@@ -270,7 +274,8 @@ def _solved(
         if len(c) < len(a):
             shorter = c, d
         numerator, divisor = -shorter[1], shorter[0]
-        return Solved(((number, numerator),), divisor), [ring.normal(rest)]
+        solved = Solved(unknown, (pair[0], pair[1]), ((number, numerator),), divisor)
+        return solved, [ring.normal(rest)]
     (p, q, r), (s, t, u) = one, two
     divisor = ring.normal(p * t - q * s)
     if divisor == 0:
@@ -281,13 +286,13 @@ def _solved(
         return None
     circle = ring.normal(sine * sine + cosine * cosine - divisor * divisor)
     places = (ring.sine_index(number), sine), (ring.cosine_index(number), cosine)
-    return Solved(places, divisor), [circle]
+    return Solved(unknown, (pair[0], pair[1]), places, divisor), [circle]
 
 
 def _put_in(
     ring: TrigonometricRing, equation: Polynomial, unknown: Unknown, step: Solved
 ) -> Polynomial | None:
-    parts = _parts(ring, equation, unknown)
+    parts = parts_in(ring, equation, unknown)
     if parts is None or len(equation) * len(step.divisor) > LONGEST:
         return None
     values = [numerator for _, numerator in step.numerators]
@@ -306,7 +311,7 @@ def _root(
 ) -> Point | None:
     """The point with a value of the unknown at which its equation vanishes."""
     kind, number = step.unknown
-    parts = _parts(ring, step.equation, step.unknown)
+    parts = parts_in(ring, step.equation, step.unknown)
     if parts is None:
         return None
     values = [residue(part, point, prime) for part in parts]

@@ -7,13 +7,14 @@ derived anew.
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 from screwkit.algebra.angle_basis import inverse_forms
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.evaluation import evaluate
-from screwkit.algebra.points import residue
+from screwkit.algebra.points import Point, residue
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
@@ -38,6 +39,7 @@ from screwkit.certificates.subjects import Subject, of_graph, of_limb, of_loops
 from screwkit.certificates.texts import RefusedError, read
 from screwkit.certificates.written import SCHEMA
 from screwkit.kinematics.assembly import Assembly
+from screwkit.kinematics.freedoms import JointTwist
 from screwkit.kinematics.placement import joint_twists
 from screwkit.kinematics.whole_graph import WholeGraph
 from screwkit.loci.loop_drop import imposed
@@ -70,17 +72,17 @@ def certified(
     parts: list[Part] = []
     for limb, own in zip(assembly.limbs, answer.limb, strict=True):
         progress("certificate", f"limb {limb.name}")
-        derivation = _Derivation(of_limb(assembly, limb))
+        derivation = PartDerivation(of_limb(assembly, limb))
         parts.append(derivation.limb(own))
     limbs = tuple(parts)
     if len(assembly.limbs) > 1:
         progress("certificate", "constraint")
-        derivation = _Derivation(of_loops(assembly, (), limbs))
+        derivation = PartDerivation(of_loops(assembly, (), limbs))
         parts.append(derivation.constraint(answer.constraint))
     actuation = answer.actuation
     if actuation is not None and actuation.admissible and len(assembly.limbs) > 1:
         progress("certificate", "actuation")
-        derivation = _Derivation(of_loops(assembly, actuation.actuated, limbs))
+        derivation = PartDerivation(of_loops(assembly, actuation.actuated, limbs))
         parts.append(derivation.actuation(actuation))
     return Certificate(SCHEMA, answer.case, version, mechanism, tuple(parts))
 
@@ -105,22 +107,22 @@ def certified_graph(
     for limb, own in zip(graph.limbs, answer.limb, strict=True):
         progress("certificate", f"limb {own.limb}")
         matrix = LoopEquations.of(limb, asks_held=True)
-        derivation = _Derivation(of_graph(graph, limb, matrix))
+        derivation = PartDerivation(of_graph(graph, limb, matrix))
         parts.append(derivation.limb(own))
     if graph.network.loops:
         progress("certificate", "constraint")
-        derivation = _Derivation(of_graph(graph, graph, LoopEquations.of(graph)))
+        derivation = PartDerivation(of_graph(graph, graph, LoopEquations.of(graph)))
         parts.append(derivation.constraint(answer.constraint))
     actuation = answer.actuation
     if actuation is not None and actuation.admissible:
         progress("certificate", "actuation")
         matrix = LoopEquations.of(graph, actuation.actuated)
-        derivation = _Derivation(of_graph(graph, graph, matrix))
+        derivation = PartDerivation(of_graph(graph, graph, matrix))
         parts.append(derivation.actuation(actuation))
     return Certificate(SCHEMA, answer.case, version, mechanism, tuple(parts))
 
 
-class _Derivation:
+class PartDerivation:
     """One part under way."""
 
     def __init__(self, subject: Subject) -> None:
@@ -177,18 +179,34 @@ class _Derivation:
             return replace(part, reason=f"no component is listed: {error}")
         if not complete:
             return self._held(part, "the answer says that its list may have gaps")
-        reason = ""
-        for asks_limbs in (True, False) if self._subject.limbs else (False,):
-            try:
-                problem = self._problem(loci, question)
-                proof = proof_of(problem, asks_limbs=asks_limbs)
-                proved = replace(part, proof=proof)
-                checked(self._subject.mechanism, proved, "written", self._subject.parts)
-            except (NotProvedError, RefusedError) as error:
-                reason = str(error)
-            else:
-                return proved
-        return self._held(part, reason)
+        try:
+            return self._proved(part, loci)
+        except (NotProvedError, RefusedError) as error:
+            return self._held(part, str(error))
+
+    def _proved(self, part: Part, loci: Sequence[tuple[Polynomial, ...]]) -> Part:
+        """The part with a proof that the checker takes.
+
+        Raises:
+            NotProvedError: If none was found.
+            RefusedError: If the checker does not take it.
+        """
+        if self._subject.limbs:
+            with suppress(NotProvedError, RefusedError):
+                return self._by_search(part, loci, asks_limbs=True)
+        return self._by_search(part, loci, asks_limbs=False)
+
+    def _by_search(
+        self, part: Part, loci: Sequence[tuple[Polynomial, ...]], *, asks_limbs: bool
+    ) -> Part:
+        problem = self._problem(loci, part.question)
+        proof = proof_of(problem, asks_limbs=asks_limbs)
+        return self._examined(replace(part, proof=proof))
+
+    def _examined(self, part: Part) -> Part:
+        """The part, if the checker takes it."""
+        checked(self._subject.mechanism, part, "written", self._subject.parts)
+        return part
 
     def _held(self, part: Part, reason: str) -> Part:
         """The claims without a proof, if they hold; else without components."""
@@ -212,7 +230,7 @@ class _Derivation:
             question=question,
             origin=self._framed.origin,
             angles=tuple(dict(form) for form in self._ring.basis),
-            rank=max(self._matrix.rank_at(*at) for at in self._root.points),
+            rank=max(self._matrix.rank_at(*at) for at in self._postures),
             components=tuple(
                 self._locus(c, own) for c, own in zip(components, loci, strict=True)
             ),
@@ -239,7 +257,7 @@ class _Derivation:
             {j: square for j, square in squares.items() if not square.is_constant()},
             {joint: self._direction(joint) for joint in self._framed.joints},
             self._least(question),
-            self._subject.limbs,
+            limbs=self._subject.limbs,
         )
 
     def _direction(self, joint: str) -> tuple[Polynomial, ...]:
@@ -251,7 +269,12 @@ class _Derivation:
         """What a limb by its loop equations allows in general; −1 elsewhere."""
         if question != "limb" or not self._subject.form:
             return -1
-        return max(self._matrix.freedom_at(*at) for at in self._root.points)
+        return max(self._matrix.freedom_at(*at) for at in self._postures)
+
+    @property
+    def _postures(self) -> Sequence[tuple[Point, int]]:
+        """Exact ones, in general."""
+        return self._root.points
 
     def _polynomials(self, component: Component) -> tuple[Polynomial, ...]:
         return tuple(evaluate(read(e), self._ring) for e in component.equations)
@@ -304,14 +327,20 @@ class _Derivation:
         least = min((branch.codimension for branch in found), default=0)
         return [branch for branch in found if branch.codimension == least]
 
+    def _twists(self) -> Mapping[str, JointTwist[Polynomial]]:
+        return joint_twists(
+            self._subject.mechanism,
+            self._ring,
+            self._framed.origin,
+            self._subject.chain,
+        )
+
     def _scales(self) -> dict[str, str]:
         """What the columns were multiplied with to clear divisors."""
         ring = self._ring
         if not ring.divisors_of:
             return {}
-        twists = joint_twists(
-            self._subject.mechanism, ring, self._framed.origin, self._subject.chain
-        )
+        twists = self._twists()
         found = {}
         for label in self._framed.joints:
             scale = ring.cleared(twists[label].coordinates)[1]

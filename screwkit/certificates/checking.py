@@ -18,6 +18,7 @@ from screwkit.algebra.expression import Expression
 from screwkit.algebra.expression_building import symbols_of
 from screwkit.algebra.modular import ResampleError
 from screwkit.certificates.claimed_loci import ClaimedLoci
+from screwkit.certificates.closed_postures import ClosedPostures
 from screwkit.certificates.findings import Findings, name_of
 from screwkit.certificates.general_claims import GeneralClaims
 from screwkit.certificates.graph_matrix import GraphMatrix
@@ -144,7 +145,10 @@ class _PartCheck:
         self._limbs = LimbClaims(self._postures, self._matrix, others)
         self._products = Products(self._postures, self._matrix, self._limbs)
         self._solutions = Solutions(self._postures, self._signs)
-        self._loci = ClaimedLoci(self._postures, self._matrix, self._sheets)
+        self._closed = ClosedPostures(mechanism, self._postures)
+        self._loci = ClaimedLoci(
+            self._postures, self._matrix, self._sheets, self._closed
+        )
         self._real = RealPostures(
             self._postures.declared,
             len(part.angles),
@@ -164,6 +168,7 @@ class _PartCheck:
         if part.question != "actuation" and (part.locked or part.idle):
             raise RefusedError("only actuation locks joints")
         all_plain(part, self._postures, self._signs)
+        self._closed.demanded()
         loci = self._loci
         loci.generic()
         real = []
@@ -179,7 +184,7 @@ class _PartCheck:
                 raise type(refusal)(f"component {text} = 0: {refusal}") from None
         if part.proof is not None:
             loci.none_inside_another()
-            self._node(part.proof, Way())
+            self._node(part.proof, Way(conditions=self._closed.conditions))
         return Findings(
             tuple(loci.irreducible),
             tuple(real),
@@ -190,13 +195,15 @@ class _PartCheck:
     def _is_everywhere(self) -> bool:
         """Whether the geometry exists wherever angles and symbols have values."""
         never_zero = self._signs.never_zero
+        if self._postures.tied:
+            return False
         return self._postures.plain and all(map(never_zero, self._postures.divisors))
 
     def _cover(self, locus: Locus) -> None:
         """Meet all sheets of a component, by a tree of its own where there is one."""
         if len(locus.equations) == 1:
             self._loci.equation(locus)
-        elif locus.cover is None:
+        elif locus.cover is None or self._postures.tied:
             self._loci.sampled[locus.equations] = None
         else:
             self._covered = locus
@@ -362,8 +369,8 @@ class _PartCheck:
             self._solutions.solved(case, [sheet.step for sheet in case.sheets], way)
             for sheet in case.sheets:
                 self._sheet(sheet, way)
-        elif case.kept is not None and len(case.equations) == 1:
-            conditions = (*way.conditions, case.equations[0])
+        elif case.kept is not None:
+            conditions = (*way.conditions, *case.equations)
             self._node(case.kept, replace(way, conditions=conditions))
         else:
             raise RefusedError(f"{case.equations[0]}: nothing is said of this case")

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import islice
 
 from screwkit.algebra.all_roots import NoResidueError
 from screwkit.algebra.exact_point import PointRing
+from screwkit.certificates.closed_postures import ClosedPostures
 from screwkit.certificates.graph_matrix import GraphMatrix
 from screwkit.certificates.irreducible_equations import Shape, shape_of
-from screwkit.certificates.postures import POINTS, Postures, Way
+from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import Locus, Node
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.sheets import Sheets
@@ -23,12 +23,18 @@ class ClaimedLoci:
         postures: Of the mechanism and the part.
         matrix: Of the part.
         sheets: Of conditions.
+        closed: Its closed postures.
     """
 
     def __init__(
-        self, postures: Postures, matrix: ScrewMatrix | GraphMatrix, sheets: Sheets
+        self,
+        postures: Postures,
+        matrix: ScrewMatrix | GraphMatrix,
+        sheets: Sheets,
+        closed: ClosedPostures,
     ) -> None:
         self._postures, self._matrix, self._sheets = postures, matrix, sheets
+        self._closed = closed
         self._part = postures.part
         self.freedom = -1
         """Of a limb by its loop equations: what it allows the platform in general."""
@@ -45,7 +51,7 @@ class ClaimedLoci:
         Raises:
             RefusedError: If either is otherwise.
         """
-        points = self._postures.several(Way())
+        points = self._closed.in_general()
         rank = max(map(self._matrix.rank, points))
         if rank != self._part.rank:
             raise RefusedError(f"its generic rank is {rank}, not {self._part.rank}")
@@ -97,6 +103,9 @@ class ClaimedLoci:
         shape = shape_of(self._sheets, text)
         if shape is Shape.PRODUCT:
             raise RefusedError("its equation is a product")
+        if self._postures.tied:  # closed postures on it may still fall apart
+            self.sampled[locus.equations] = None
+            return
         if shape is Shape.IRREDUCIBLE:
             self.irreducible[locus.equations] = None
         self._look(locus, Way(), text)
@@ -136,7 +145,7 @@ class ClaimedLoci:
 
     def _points_of(self, locus: Locus) -> Iterator[PointRing]:
         for reach in locus.reach:
-            yield from islice(self._postures.on(Way(reach.steps), reach.roots), POINTS)
+            yield from self._closed.on(Way(reach.steps), reach.roots)
 
     def none_inside_another(self) -> None:
         """Check that each component has postures that lie on no other.

@@ -15,8 +15,9 @@ from screwkit.algebra.division import Divisor, exact_quotient
 from screwkit.algebra.elimination import half_angle_steps, steps_of
 from screwkit.algebra.factors import Factor, FactorLibrary, factor
 from screwkit.algebra.half_angle import HalfAngles
+from screwkit.algebra.no_real_angle import never_met
 from screwkit.algebra.over_roots import square_roots
-from screwkit.algebra.points import residue
+from screwkit.algebra.points import Point, residue
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.substitution import Substitution, reduced, substituted
@@ -48,6 +49,8 @@ class Problem:
         directions: By freedom: the coordinates of its axis.
         least: Where a posture counts that allows a limb less than this many freedoms;
             −1 elsewhere.
+        demands: Conditions that hold at every posture, where loops tie joint variables.
+        closed: Exact postures at which they do.
         limbs: Where limbs that are chains may say something of the whole.
     """
 
@@ -60,6 +63,8 @@ class Problem:
     axes: dict[str, Polynomial]
     directions: dict[str, tuple[Polynomial, ...]]
     least: int = -1
+    demands: tuple[Polynomial, ...] = ()
+    closed: tuple[tuple[Point, int], ...] = ()
     limbs: tuple[LimbSystem, ...] = ()
 
     @property
@@ -78,6 +83,15 @@ class Place:
     def number(self, pending: Pending) -> int:
         """Of an unsolved condition of the branch among those of the way."""
         return [str(c) for c in self.conditions].index(str(pending.condition))
+
+
+def with_conditions(root: Branch, equations: Sequence[Polynomial]) -> Branch:
+    """The branch on which further equations are to hold, none of them solved."""
+    return replace(
+        root,
+        conditions=(*root.conditions, *equations),
+        pending=(*root.pending, *(Pending(own, own) for own in equations)),
+    )
 
 
 @dataclass(frozen=True)
@@ -165,7 +179,11 @@ class Conditions:
             return plain
         ring = self.problem.root.ring
         layout = Layout.of(ring)
-        return Divisor(below, ring, HalfAngles(ring, layout), layout).divide(value)
+        found = Divisor(below, ring, HalfAngles(ring, layout), layout).divide(value)
+        degrees = below.degrees()
+        if found is None and any(degrees[place] for place in layout.constants):
+            return self._by_conjugates(value, below)
+        return found
 
     def _by_root(self, value: Polynomial, below: Polynomial) -> Polynomial | None:
         """A quotient that holds a square root of a number below the line."""
@@ -176,6 +194,20 @@ class Conditions:
             if found is not None:
                 return ring.normal(found * number) / root.square
         return None
+
+    def _by_conjugates(self, value: Polynomial, below: Polynomial) -> Polynomial | None:
+        """A quotient by a divisor made rational first: times what it is with −√."""
+        ring = self.problem.root.ring
+        for name in ring.constant_generators:
+            if below.degrees()[ring.names.index(name)]:
+                mirrored = below.subs({name: 0}) * 2 - below
+                value = ring.normal(value * mirrored)
+                below = ring.normal(below * mirrored)
+        layout = Layout.of(ring)
+        if any(below.degrees()[place] for place in layout.constants):
+            return None  # no square roots
+        found = exact_quotient(value, below)
+        return found or HalfAngles(ring, layout).quotient(value, below)
 
     def in_divisor(self, branch: Branch, own: Factor) -> Multiple | None:
         """The divisor of a step that a factor divides, which vanishes nowhere."""
@@ -213,8 +245,11 @@ class Conditions:
         return [(own, power) for own, power in found.values() if power]
 
     def positive(self, branch: Branch, own: Factor) -> bool:
-        """Whether a factor vanishes nowhere by the signs of its terms."""
-        if not branch.assumptions.is_nonzero(branch.ring, own.equations[0]):
+        """Whether a factor vanishes nowhere, by signs of its terms or in numbers."""
+        ring, first = branch.ring, own.equations[0]
+        if not branch.assumptions.is_nonzero(ring, first) and not never_met(
+            ring, [first]
+        ):
             return False
         return self.problem.signs.never_zero(read(text(branch.ring, own.equations[0])))
 
@@ -255,14 +290,7 @@ class Conditions:
         conditions = (*branch.conditions, condition)
         steps = self.steps(branch, own)
         if steps is None:
-            if companions:
-                raise NotProvedError("a half-angle condition could not be solved")
-            known = {str(primitive(p.value)) for p in branch.pending}
-            if str(primitive(condition)) in known:
-                return [Option(Place(branch, (*place.conditions, condition)), None)]
-            pending = (*branch.pending, Pending(condition, condition))
-            kept = replace(branch, conditions=conditions, pending=pending)
-            return [Option(Place(kept, (*place.conditions, condition)), None)]
+            return [self._kept(place, own.equations)]
         found = []
         for step in steps:
             whole = replace(step, condition=condition, companions=companions)
@@ -284,6 +312,40 @@ class Conditions:
             )
             found.append(Option(Place(child, place.conditions), whole, impossible))
         return found
+
+    def _kept(self, place: Place, equations: Sequence[Polynomial]) -> Option:
+        """The equations of a factor as conditions, those that are none yet."""
+        branch = place.branch
+        known = {str(primitive(p.value)) for p in branch.pending}
+        new = [e for e in equations if str(primitive(e)) not in known]
+        kept = replace(
+            branch,
+            conditions=(*branch.conditions, *new),
+            pending=(*branch.pending, *(Pending(own, own) for own in new)),
+        )
+        return Option(Place(kept, (*place.conditions, *equations)), None)
+
+    def says_nothing(
+        self, place: Place, pending: Pending, factors: Sequence[tuple[Factor, int]]
+    ) -> bool:
+        """Whether some factor vanishes where the other unsolved conditions do."""
+        others = {str(primitive(p.value)) for p in place.branch.pending if p != pending}
+        own = str(primitive(pending.value))
+        written = [{str(primitive(e)) for e in f.equations} for f, _ in factors]
+        return any(texts != {own} and texts - {own} <= others for texts in written)
+
+    def wider(self, branch: Branch, most: int) -> tuple[Point, int] | None:
+        """A posture that need not fulfil the unsolved conditions of a branch.
+
+        Args:
+            branch: Where it is looked for.
+            most: From so many unsolved conditions on, demands aside, for none.
+        """
+        more = len(branch.pending) - len(self.problem.demands)
+        if not branch.pending or more >= most:
+            return None
+        closed = None if branch.steps else next(iter(self.problem.closed), None)
+        return closed or next(iter(replace(branch, pending=()).points), None)
 
     def where(self, place: Place, equations: Sequence[Polynomial]) -> Option:
         """The part of a node on which all of some equations hold, as conditions."""

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from screwkit.algebra.branches import Pending
 from screwkit.algebra.trigonometric import Polynomial
-from screwkit.certificates.conditions import Place, Problem
+from screwkit.certificates.conditions import Place, Problem, with_conditions
 from screwkit.certificates.derivation import ProofSearch
 from screwkit.certificates.records import Node
 from screwkit.certificates.roots import NotProvedError
@@ -29,12 +26,7 @@ class _Cover(ProofSearch):
 
 def cover_of(problem: Problem, equations: tuple[Polynomial, ...]) -> Node | None:
     """The tree of some equations; None where none was found."""
-    root = problem.root
-    start = replace(
-        root,
-        conditions=(*root.conditions, *equations),
-        pending=tuple(Pending(own, own) for own in equations),
-    )
+    start = with_conditions(problem.root, equations)
     try:
         return _Cover(problem, 0).node(Place(start, equations))
     except (NotProvedError, ValueError):

@@ -19,7 +19,12 @@ from screwkit.algebra.factors import Factor
 from screwkit.algebra.points import Point
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import primitive
-from screwkit.certificates.conditions import Option, Place, Problem
+from screwkit.certificates.conditions import (
+    Option,
+    Place,
+    Problem,
+    with_conditions,
+)
 from screwkit.certificates.limb_offers import limb_offers
 from screwkit.certificates.offer_choice import Choice, OfferChoice
 from screwkit.certificates.offers import minor_offers
@@ -34,7 +39,9 @@ from screwkit.certificates.sums import (
     Sum,
     determinant_sum,
     implied_equation,
+    paired_equation,
     solvable_sum,
+    sum_without_angles,
 )
 from screwkit.certificates.texts import read
 
@@ -80,11 +87,13 @@ class ProofSearch(OfferChoice):
         if ended is not None:
             return ended
         found = (
-            self.split_condition(place, number)
+            self.of_a_sum(place, number, paired_equation(self, place))
+            or self.split_condition(place, number)
             or self.of_a_sum(place, number, solvable_sum(self, place))
             or self.of_a_sum(place, number, determinant_sum(self, place))
             or self.special(place, number)
             or self.of_a_sum(place, number, implied_equation(self, place))
+            or self.without_points(place, number)
             or self.by_limbs(place, number)
             or self.by_minor(place, number)
         )
@@ -103,6 +112,8 @@ class ProofSearch(OfferChoice):
                 str(primitive(pending.value)),
             )
             if same and self.steps(branch, factors[0][0]) is None:
+                continue
+            if self.says_nothing(place, pending, factors):
                 continue
             index = place.number(pending)
             _, over = followed(branch, [place.conditions[index]])
@@ -128,27 +139,49 @@ class ProofSearch(OfferChoice):
         roots = self.roots(branch)
         return Node(number, special=True, roots=roots)
 
+    def without_points(self, place: Place, number: int) -> Node | None:
+        """The node of a sum in few unknowns, where no exact posture was found."""
+        if place.branch.points or not place.branch.pending:
+            return None
+        return self.of_a_sum(place, number, sum_without_angles(self, place))
+
     def by_minor(self, place: Place, number: int) -> Node:
-        """The node of the minor that leaves the fewest cases."""
+        """The node of the minor that leaves the fewest cases.
+
+        Where there is none, of a sum in few unknowns.
+        """
+        try:
+            choice, roots = self.chosen_minor(place)
+        except NotProvedError:
+            found = self.of_a_sum(place, number, sum_without_angles(self, place))
+            if found is None:
+                raise
+            return found
+        return self.said(place, number, choice, roots)
+
+    def chosen_minor(self, place: Place) -> tuple[Choice, tuple[Unsolved, ...]]:
+        """The minor that leaves the fewest cases, and how conditions are met.
+
+        Raises:
+            NotProvedError: If there is none that says something new.
+        """
         branch, matrix = place.branch, self.problem.matrix
         at = max(branch.points, key=lambda p: matrix.rank_at(*p), default=None)
         if at is None or self.falls(at):
             # A minor that vanishes on some of the postures here may tell them apart.
-            wider = replace(branch, pending=())
-            at = (
-                next(iter(wider.points), None)
-                if 0 < len(branch.pending) < MIXED
-                else None
-            )
+            at = self.wider(branch, MIXED)
             if at is None or self.falls(at):
                 raise NotProvedError(
                     "the search ended at postures that it could place on no component"
                 )
+        rank = matrix.rank_at(*at)
+        if rank > self.rank and not self.problem.smaller:
+            raise NotProvedError("postures of lower rank were not told from others")
         roots: tuple[Unsolved, ...] = ()
-        if self.problem.smaller and matrix.rank_at(*at) < self.rank:
+        if self.problem.smaller and rank < self.rank:
             roots = self.roots(branch)
         offers = minor_offers(matrix, branch, at, self.source)
-        return self.said(place, number, self.chosen(place, offers), roots)
+        return self.chosen(place, offers), roots
 
     def by_limbs(self, place: Place, number: int) -> Node | None:
         """The node of what limbs say alone; None where they do not say enough."""
@@ -272,8 +305,10 @@ def proof_of(problem: Problem, *, asks_limbs: bool) -> Node:
     Raises:
         NotProvedError: If none was found.
     """
-    points = problem.root.points
+    points = problem.closed or problem.root.points
     if not points:
         raise NotProvedError("the mechanism has no exact posture")
     rank = max(problem.matrix.rank_at(*at) for at in points)
-    return ProofSearch(problem, rank, asks_limbs).node(Place(problem.root))
+    start = with_conditions(problem.root, problem.demands)
+    search = ProofSearch(problem, rank, asks_limbs)
+    return search.node(Place(start, problem.demands))

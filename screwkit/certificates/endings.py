@@ -71,10 +71,10 @@ class Endings(Conditions):
         return None
 
     def is_held(self, place: Place, factors: Iterable[tuple[Factor, int]]) -> bool:
-        """Whether some factor is an unsolved condition of the node."""
+        """Whether some factor vanishes where unsolved conditions of the node do."""
         held = {str(primitive(pending.value)) for pending in place.branch.pending}
         return any(
-            len(own.equations) == 1 and str(primitive(own.equations[0])) in held
+            all(str(primitive(equation)) in held for equation in own.equations)
             for own, _ in factors
         )
 

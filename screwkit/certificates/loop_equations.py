@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import Point, residue
+from screwkit.algebra.trigonometric import Polynomial
 from screwkit.certificates.minor_choice import Minor
 from screwkit.certificates.short_minors import short_minors
 from screwkit.certificates.steps import added, followed
@@ -63,6 +64,11 @@ class LoopEquations:
     def rows(self) -> Mapping[int, Row]:
         """Of the matrix of the part."""
         return self.held if self.asks_held else self.closed
+
+    @property
+    def entries(self) -> Iterator[Polynomial]:
+        """All of them, one after the other."""
+        return (x for row in self.rows.values() for x in row.values())
 
     def row(self, place: int) -> int:
         """The number of a row, which is its own."""

@@ -52,6 +52,11 @@ class Matrix:
         """(limb, number in it) of every column."""
         return [(i, k) for i, limb in enumerate(self.limbs) for k in range(len(limb))]
 
+    @property
+    def entries(self) -> Iterator[Polynomial]:
+        """All of them, one after the other."""
+        return (x for limb in self.limbs for column in limb for x in column)
+
     def row(self, place: int) -> int:
         """The row, counted in all six coordinates of each loop."""
         loop, coordinate = divmod(place, len(self.places))

@@ -6,11 +6,17 @@ import random
 from collections.abc import Sequence
 from dataclasses import replace
 
-from screwkit.certificates.postures import Postures, Way
+from screwkit.certificates.closed_postures import ClosedPostures
+from screwkit.certificates.graph_matrix import GraphMatrix
+from screwkit.certificates.postures import Postures
 from screwkit.certificates.records import Part
 from screwkit.certificates.screw_matrix import ScrewMatrix
-from screwkit.mechanism.graph import limbs
+from screwkit.certificates.texts import RefusedError
+from screwkit.mechanism.graph import independent_loops, limbs
 from screwkit.mechanism.model import Mechanism
+
+_ATTEMPTS = 8
+"""Choices of postures."""
 
 
 def missing_from(
@@ -26,7 +32,7 @@ def missing_from(
     names = [limb.name for limb in limbs(mechanism)]
     said = {part.limb for part in parts if part.question == "limb"}
     missing = [f"limb {name}" for name in names if name not in said]
-    if len(names) < 2:
+    if len(names) < 2 and not independent_loops(mechanism):
         return tuple(missing)
     constraint = next((part for part in parts if part.question == "constraint"), None)
     if constraint is None:
@@ -45,6 +51,13 @@ def _stops(
 ) -> bool:
     """Whether the platform has no freedom with the declared scheme locked."""
     part = replace(constraint, question="actuation", locked=tuple(scheme))
-    postures = Postures(mechanism, part, random.Random(seed))
-    matrix = ScrewMatrix(postures)
-    return not all(matrix.freedom(point) for point in postures.several(Way()))
+    for attempt in range(_ATTEMPTS):
+        postures = Postures(mechanism, part, random.Random(f"{seed}/{attempt}"))
+        own = GraphMatrix if part.form == "loops" else ScrewMatrix
+        matrix = own(postures)
+        try:
+            points = ClosedPostures(mechanism, postures).in_general()
+            return not all(matrix.freedom(point) for point in points)
+        except RefusedError:
+            continue
+    return True

@@ -40,7 +40,8 @@ from screwkit.certificates.texts import (
     radicands_of,
     read,
 )
-from screwkit.kinematics.placement import joint_twists
+from screwkit.kinematics.placement import joint_twists, why_tied
+from screwkit.kinematics.tied_twists import tied_demands, tied_twists
 from screwkit.mechanism.model import Mechanism
 
 POINTS = 2
@@ -74,6 +75,7 @@ class Postures:
         symbols: What the geometry depends on besides angles.
         divisors: What the geometry divides by.
         radicands: Whose square roots it takes.
+        tied: Whether loops tie joint variables together.
         plain: Whether it has no roots of symbols and no angles in numbers.
 
     Raises:
@@ -86,8 +88,13 @@ class Postures:
         self._source = source
         self.spoken_of = spoken_of(mechanism, part)
         self._chain = self.spoken_of.chain
+        self.tied = bool(why_tied(mechanism))
         seen = SurveyRing()
-        joint_twists(mechanism, seen, part.origin, self._chain)
+        if self.tied:
+            tied_twists(mechanism, seen, part.origin)
+            tied_demands(mechanism, seen)
+        else:
+            joint_twists(mechanism, seen, part.origin, self._chain)
         radicands = [r.value for r in seen.roots if isinstance(r, Number)]
         self._field = ConstantField.needed_by(radicands, seen.turn)
         roots = [*radicands, *map(Fraction, self._field.primes), *radicands_of(part)]
@@ -244,9 +251,13 @@ class Postures:
         return point
 
     def excluded(self, way: Way) -> bool:
-        """Whether a divisor of a way, which is 0 nowhere there, is 0 all over it."""
-        for _ in range(POINTS):
+        """Whether a divisor of a way, which is 0 nowhere there, is 0 all over it.
+
+        Whatever solutions in numbers are chosen.
+        """
+        for sheet in range(self._enough(way)):
             point, after = self._drawn(), Way()
+            point.sheet = sheet
             for step in reversed(way.steps):
                 if self.moved(point, after).value(read(step.over)) == 0:
                     break
@@ -324,7 +335,8 @@ class Postures:
 
     def _twists_at(self, point: PointRing) -> Mapping[str, tuple[Any, ...]]:
         part = self.part
-        found = joint_twists(self._mechanism, point, part.origin, self._chain)
+        placed = tied_twists if self.tied else joint_twists
+        found = placed(self._mechanism, point, part.origin, self._chain)
         scales = part.scales or {}
         twists = {}
         for label, twist in found.items():

@@ -250,6 +250,22 @@ class Locus:
 
 
 @dataclass(frozen=True)
+class Demand:
+    """What closed loops demand where they tie joint variables.
+
+    Attributes:
+        equation: Vanishes at closed postures: a multiple of one of those that the
+            loops of the mechanism give.
+        number: Of that one.
+        times: What it is multiplied with.
+    """
+
+    equation: str
+    number: int
+    times: str = "1"
+
+
+@dataclass(frozen=True)
 class Part:
     """What is claimed about one matrix.
 
@@ -266,6 +282,9 @@ class Part:
         components: Where the rank falls; of ``actuation``: where the platform moves; of
             a limb by its loop equations: where it allows the platform less.
         idle: Of ``actuation``: where only limbs move.
+        demands: Where loops tie joint variables: with these conditions the proof
+            starts.
+        closed: How closed postures are met in general.
         proof: That there is no other component; None if none was found.
         reason: Why there is no proof.
     """
@@ -280,6 +299,8 @@ class Part:
     locked: tuple[str, ...] = ()
     scales: Mapping[str, str] | None = None
     idle: tuple[Locus, ...] = ()
+    demands: tuple[Demand, ...] = ()
+    closed: tuple[Unsolved, ...] = ()
     proof: Node | None = None
     reason: str = ""
 

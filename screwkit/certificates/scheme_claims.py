@@ -51,6 +51,8 @@ def _examined(
 ) -> None:
     part = Part("actuation", claims.origin, claims.angles, 0, (), claims.form)
     postures = Postures(mechanism, part, source)
+    if postures.tied:  # the postures that it draws need not be closed
+        raise RefusedError("of schemes where loops tie joint variables it says nothing")
     points = postures.several(Way())
     kind = GraphMatrix if claims.form else ScrewMatrix
     every = {*kind(postures).columns}

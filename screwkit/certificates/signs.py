@@ -1,8 +1,9 @@
 """Expressions that vanish nowhere, by the signs of their terms.
 
 A sum whose terms have one sign, one of them never zero, is never zero; even powers and
-roots are never negative.  Of a polynomial in one symbol, with rational numbers, real
-zeros are counted.  No proof is found for anything cleverer.
+roots are never negative.  Of a polynomial in one symbol, or in sine and cosine of one
+angle, with rational numbers, real zeros are counted.  No proof is found for anything
+cleverer.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from screwkit.algebra.expression import (
 )
 from screwkit.algebra.sturm import real_zeros
 from screwkit.algebra.written_terms import factors_of, terms_of
+from screwkit.certificates.one_angle import is_never_zero
 from screwkit.certificates.one_symbol import coefficients_of
 
 
@@ -94,6 +96,8 @@ class Signs:
 
 
 def _keeps_its_sign(terms: list[tuple[Fraction, Counter[Expression]]]) -> bool:
-    """Whether a sum is a polynomial in one symbol without a real zero."""
+    """Whether a sum is a polynomial in one symbol, or angle, without a real zero."""
+    if is_never_zero(terms):
+        return True
     found = coefficients_of(terms)
     return found is not None and any(found) and not real_zeros(found)

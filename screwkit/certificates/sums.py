@@ -6,9 +6,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.eliminated_sums import sums_without, without_square_roots
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.linear_systems import has_solutions, linear_systems
 from screwkit.algebra.points import residue
+from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.substitution import linear_parts
 from screwkit.algebra.sums_of_conditions import (
@@ -45,8 +48,9 @@ def solvable_sum(known: Conditions, place: Place) -> Sum | None:
         sums_by_elimination(branch.ring, values, 0),
         sums_by_elimination(branch.ring, values, 1),
     ):
-        factors = known.factors(branch, found.value)
-        if all(
+        value = branch.value(found.value)
+        factors = [] if value == 0 else known.factors(branch, value)
+        if factors and all(
             known.steps(branch, own) is not None or known.vanishes_nowhere(branch, own)
             for own, _ in factors
         ):
@@ -71,6 +75,82 @@ def implied_equation(known: Conditions, place: Place) -> Sum | None:
         if found is not None:
             factors = known.factors(branch, found.value)
             return Sum(_terms(place, numbers, found), tuple(factors))
+    return None
+
+
+def paired_equation(known: Conditions, place: Place) -> Sum | None:
+    """An equation of a component as a sum of the two conditions of a half-angle factor.
+
+    The conditions are h·sin(φ/2) and h·cos(φ/2), so that the sum of their squares is
+    h², and the equation is h times something.
+    """
+    branch = place.branch
+    if len(branch.pending) < 2:
+        return None
+    held = {str(primitive(p.value)): n for n, p in enumerate(branch.pending)}
+    for equations in known.problem.components:
+        for value in followed(branch, equations)[0]:
+            for own, _ in known.factors(branch, value) if value != 0 else ():
+                places = [held.get(str(primitive(e)), -1) for e in own.equations]
+                if len(places) < 2 or min(places) < 0:
+                    continue
+                found = _as_a_sum(known, branch, value, own.equations, places)
+                if found is not None:
+                    numbers = [place.number(pending) for pending in branch.pending]
+                    whole = Factor(f"whole {value}", (primitive(value),))
+                    return Sum(_terms(place, numbers, found), ((whole, 1),))
+    return None
+
+
+def _as_a_sum(
+    known: Conditions,
+    branch: Branch,
+    value: Polynomial,
+    equations: Sequence[Polynomial],
+    places: Sequence[int],
+) -> Combination | None:
+    """A value as a sum of multiples of the two equations of its half-angle factor."""
+    ring = branch.ring
+    square = ring.normal(sum((e * e for e in equations), ring.zero))
+    times = [ring.zero] * len(branch.pending)
+    total = ring.zero
+    for equation, place in zip(equations, places, strict=True):
+        multiplier = known.quotient(ring.normal(value * equation), square)
+        if multiplier is None:
+            return None
+        condition = branch.pending[place].value
+        number = equation.leading_coefficient() / condition.leading_coefficient()
+        times[place] = multiplier * number
+        total += times[place] * condition
+    if ring.normal(total) != value:
+        return None
+    return Combination(value, tuple(times))
+
+
+def sum_without_angles(known: Conditions, place: Place) -> Sum | None:
+    """A sum in few unknowns, all of whose factors can be solved or vanish nowhere.
+
+    Unknowns are taken out until one angle, or the dimensions alone, are left.
+    """
+    branch = place.branch
+    ring, values = branch.ring, [pending.value for pending in branch.pending]
+    if len(values) < 2:
+        return None
+    dimensions = [("x", index) for index in branch.dimensions]
+    angles = {u for v in values for u in unknowns(ring, v) if u[0] == "angle"}
+    for kept in ([], *([angle] for angle in sorted(angles))):
+        for found in sums_without(ring, values, [*dimensions, *kept]):
+            own, times = without_square_roots(ring, found)
+            own = branch.value(own)
+            factors = [] if own == 0 else known.factors(branch, own)
+            if factors and all(
+                known.vanishes_nowhere(branch, f) or known.steps(branch, f) is not None
+                for f, _ in factors
+            ):
+                numbers = [place.number(pending) for pending in branch.pending]
+                return Sum(
+                    _terms(place, numbers, Combination(own, times)), tuple(factors)
+                )
     return None
 
 

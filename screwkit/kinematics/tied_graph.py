@@ -10,7 +10,7 @@ References: [LongCaroKhalil2012] (4)-(9), [Schwartz1980].
 from __future__ import annotations
 
 import random
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -24,14 +24,14 @@ from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.errors import UndecidedError
 from screwkit.kinematics.frames import FramedTwists
-from screwkit.kinematics.freedoms import JointTwist
 from screwkit.kinematics.link_invariants import link_invariants
-from screwkit.kinematics.loop_closing import closing_equations, with_rods_outside
-from screwkit.kinematics.network import Motion, Network, motion
-from screwkit.kinematics.placement import joint_twists
+from screwkit.kinematics.network import Motion, motion
+from screwkit.kinematics.tied_twists import (
+    closing_demands,
+    tied_demands,
+    tied_twists,
+)
 from screwkit.kinematics.whole_graph import GraphState, WholeGraph, state_of
-from screwkit.mechanism.model import JointType, Mechanism
-from screwkit.screw import vector
 
 _BUDGET = 60  # case distinctions on the closing equations
 _POINTS = 4  # exact closed postures from elimination
@@ -47,19 +47,17 @@ class TiedGraph(WholeGraph):
         Raises:
             UndecidedError: If a freedom is not placed there.
         """
-        mechanism, base = with_rods_outside(self.mechanism), self.mechanism.base
+        mechanism, base = self.mechanism, self.mechanism.base
         seen = SurveyRing()
-        joint_twists(mechanism, seen, base)
-        closing_equations(mechanism, seen)
-        link_invariants(self.mechanism, seen)
+        tied_twists(mechanism, seen, base)
+        tied_demands(mechanism, seen)
         ring = TrigonometricRing(seen)
-        twists = joint_twists(mechanism, ring, base)
+        twists = tied_twists(mechanism, ring, base)
         missing = [x for x in self.network.labels if x not in twists]
         if missing:
             raise UndecidedError(
                 f"nothing places joint {missing[0]!r} relative to the base"
             )
-        twists = {**twists, **_about_centres(mechanism, self.network, ring, twists)}
         labels = self.network.labels
         return FramedTwists(
             ring,
@@ -78,7 +76,7 @@ class TiedGraph(WholeGraph):
         """The closing equations, each once."""
         ring = self.framed.ring
         found: dict[str, Polynomial] = {}
-        for equation in closing_equations(with_rods_outside(self.mechanism), ring):
+        for equation in closing_demands(self.mechanism, ring):
             value = ring.without_divisors([equation])[0]
             if value != 0 and str(-value) not in found:
                 found.setdefault(str(value), value)
@@ -214,29 +212,6 @@ class TiedGraph(WholeGraph):
         """The largest rank of the twists of some freedoms at exact postures."""
         columns = [self.framed.column(label) for label in labels]
         return max(rank_at(columns, *point) for point in points)
-
-
-def _about_centres(
-    mechanism: Mechanism,
-    network: Network,
-    ring: TrigonometricRing,
-    twists: Mapping[str, JointTwist[Polynomial]],
-) -> dict[str, JointTwist[Polynomial]]:
-    """Spherical joints by rotations about x, y, z: their own angles do not matter."""
-    found = {}
-    zero, one = ring.zero, ring.one
-    axes = (one, zero, zero), (zero, one, zero), (zero, zero, one)
-    for joint in mechanism.joints:
-        if joint.type is not JointType.SPHERICAL or mechanism.space == "planar":
-            continue
-        labels = network.labels_of[joint.name]
-        centre = twists[labels[0]].point
-        for label, axis in zip(labels, axes, strict=True):
-            moment = vector.normal(ring, vector.cross(centre, axis))
-            found[label] = twists[label]._replace(
-                direction=axis, moment=moment, point=centre
-            )
-    return found
 
 
 class ClosedPart:

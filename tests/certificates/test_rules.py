@@ -10,6 +10,7 @@ import pytest
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch, Pending
 from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.linear_systems import has_solutions, linear_systems
 from screwkit.algebra.parse import parse
 from screwkit.algebra.points import residue
@@ -23,6 +24,13 @@ from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.case import load_text
 from screwkit.certificates.checking import _PartCheck
+from screwkit.certificates.conditions import (
+    Conditions,
+    Place,
+    Problem,
+    with_conditions,
+)
+from screwkit.certificates.minor_choice import Matrix
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import (
     Case,
@@ -37,6 +45,7 @@ from screwkit.certificates.records import (
 from screwkit.certificates.roots import roots_of
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.solutions import Solutions
+from screwkit.certificates.sums import paired_equation
 from screwkit.certificates.texts import RefusedError, read
 
 ARM = """
@@ -201,6 +210,71 @@ def test_homogeneous_equations_are_not_met_by_lengths_that_vanish() -> None:
     for point, prime in branch.points:
         assert all(residue(own, point, prime) == 0 for own in conditions)
         assert all(point[places_of(ring)[name]] for name in ("b", "c"))
+
+
+@pytest.mark.parametrize(
+    ("over", "excluded"), [("-", False), ("+", False), ("*", True)]
+)
+def test_a_divisor_that_vanishes_for_one_solution_excludes_nothing(
+    over: str, excluded: bool
+) -> None:
+    """With cos q = 3/5 a divisor may allow one of sin q = ±4/5."""
+    text = f"5*sin(q) {over} 4" if over != "*" else "25*sin(q)^2 - 16"
+    steps = (
+        Step("symbol", symbol="x", value="y", over=text),
+        Step("numbers", angle=0, numbers=("0", "5", "-3")),
+    )
+    assert arm().excluded(Way(steps)) is excluded
+
+
+def asked(
+    ring: TrigonometricRing, conditions: list[Polynomial], *components: Polynomial
+) -> tuple[Conditions, Place]:
+    """Questions about a node on which conditions are not solved."""
+    root = Branch(ring, Assumptions(frozenset()))
+    matrix = Matrix((), (), (), single=True)
+    problem = Problem(
+        root,
+        matrix,
+        tuple((own,) for own in components),
+        moving=False,
+        library=FactorLibrary(ring),
+        signs=Signs(set(), set()),
+        axes={},
+        directions={},
+    )
+    place = Place(with_conditions(root, conditions), tuple(conditions))
+    return Conditions(problem), place
+
+
+def test_square_roots_of_numbers_hide_no_quotient() -> None:
+    """As a polynomial in √3 the product is divided by neither factor."""
+    ring, (one, other) = polynomials(
+        "3*x - sqrt(3)*y",
+        "3*l*(sin(p)*cos(q) - sin(p)*cos(r) - cos(q)*sin(r) + cos(r)*sin(r))"
+        " + 2*sqrt(3)*y*(sin(q) + sin(r) - 2*sin(p))",
+    )
+    known, _ = asked(ring, [])
+    product = ring.normal(one * other)
+    assert known.quotient(product, other) == one
+    assert known.quotient(product, one) == other
+    assert known.quotient(product + ring.one, other) is None
+
+
+def test_both_equations_of_a_half_angle_make_its_multiples() -> None:
+    """H = 2 sin ½(p − q): what is h² is made of h sin ½(p + q) and h cos ½(p + q)."""
+    ring, (square, *pair) = polynomials(
+        "x - x*cos(p)*cos(q) - x*sin(p)*sin(q)", "cos(q) - cos(p)", "sin(p) - sin(q)"
+    )
+    known, place = asked(ring, pair, square)
+    found = paired_equation(known, place)
+    assert found is not None
+    total = ring.zero
+    for term in found.terms:
+        times = ring.normal(evaluate(parse(term.times), ring))
+        total += times * pair[term.condition]
+    assert ring.normal(total) == square
+    assert paired_equation(*asked(ring, pair[:1], square)) is None
 
 
 def places_of(ring: TrigonometricRing) -> dict[str, int]:

@@ -672,8 +672,6 @@ def ends_of_the_first_loop() -> list[complex]:
 def test_strata_of_tied_loops_are_refused_with_the_reason() -> None:
     with pytest.raises(UndecidedError, match=r"tie .* not looked for"):
         singularities(load_text(CRANK_ROCKER), strata=2)
-    with pytest.raises(UndecidedError, match="no certificate of them"):
-        singularities(load_text(CRANK_ROCKER), certificate=True)
     with pytest.raises(UndecidedError, match="without --certificate"):
         schemes(load_text(CRANK_ROCKER), certificate=True)
 
