@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.branches import Branch
 from screwkit.algebra.factors import Factor
+from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.solve import Solved, solutions
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
@@ -18,7 +20,10 @@ def equations_of(piece: Piece) -> tuple[str, ...]:
 
 
 def solved_equations(piece: Piece) -> tuple[Solution | None, ...]:
-    """For each equation its simplest solution, no variable twice; None without one."""
+    """For each equation its simplest solution, no variable twice; None without one.
+
+    A condition on the posture is not solved for a dimension.
+    """
     branch = piece.branches[0]
     used: set[str] = set()
     found: dict[int, Solution] = {}
@@ -26,11 +31,23 @@ def solved_equations(piece: Piece) -> tuple[Solution | None, ...]:
     order = sorted(range(len(piece.equations)), key=lambda i: len(piece.equations[i]))
     for i in order:
         for s in _solved(branch.ring, piece.equations[i], branch.assumptions):
-            if s.variable not in used:
+            if s.variable not in used | _dimensions(branch, piece.equations[i]):
                 used.add(s.variable)
                 found[i] = Solution(s.variable, s.values, s.modulo)
                 break
     return tuple(found.get(i) for i in range(len(piece.equations)))
+
+
+def _dimensions(branch: Branch, equation: Polynomial) -> set[str]:
+    """Names of the mechanism's dimensions; none where they alone are tied."""
+    ring = branch.ring
+    if not any(
+        kind != "x" or i not in branch.dimensions
+        for kind, i in unknowns(ring, equation)
+    ):
+        return set()
+    first = ring.symbol_indices().start
+    return {ring.symbols[i - first] for i in branch.dimensions}
 
 
 def all_solutions(piece: Piece) -> tuple[Solution, ...]:

@@ -315,3 +315,17 @@ def test_one_component_alone_is_not_searched_for_meetings(
     assert found.complete
     assert len(found.components) == 1
     assert found.intersections == ()
+
+
+def test_postures_are_not_solved_for_dimensions() -> None:
+    case = sk.load("3rrr_planar")
+    dimensions = {p.name for p in case.mechanism.parameters}
+    answer = sk.singularities(case)
+    solved = [
+        solution.variable
+        for component in answer.constraint.components
+        for solution in component.solved
+        if solution is not None
+    ]
+    assert solved
+    assert not dimensions & set(solved)
