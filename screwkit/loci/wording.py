@@ -5,6 +5,7 @@ from __future__ import annotations
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factors import Factor
+from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.solve import Solved, solutions
@@ -22,7 +23,8 @@ def equations_of(piece: Piece) -> tuple[str, ...]:
 def solved_equations(piece: Piece) -> tuple[Solution | None, ...]:
     """For each equation its simplest solution, no variable twice; None without one.
 
-    A condition on the posture is not solved for a dimension.
+    A condition on the posture is not solved for a dimension, nor for a symbol that it
+    leaves free there.
     """
     branch = piece.branches[0]
     used: set[str] = set()
@@ -31,11 +33,22 @@ def solved_equations(piece: Piece) -> tuple[Solution | None, ...]:
     order = sorted(range(len(piece.equations)), key=lambda i: len(piece.equations[i]))
     for i in order:
         for s in _solved(branch.ring, piece.equations[i], branch.assumptions):
-            if s.variable not in used | _dimensions(branch, piece.equations[i]):
+            if s.variable in used | _dimensions(branch, piece.equations[i]):
+                continue
+            if s.modulo or not _divides_by_zero(piece, i, s.variable):
                 used.add(s.variable)
                 found[i] = Solution(s.variable, s.values, s.modulo)
                 break
     return tuple(found.get(i) for i in range(len(piece.equations)))
+
+
+def _divides_by_zero(piece: Piece, number: int, variable: str) -> bool:
+    """Whether a symbol's coefficient in an equation is zero on all of the piece."""
+    ring = piece.branches[0].ring
+    index = ring.symbol_indices().start + ring.symbols.index(variable)
+    slope = piece.equations[number].derivative(index)
+    points = [at for branch in piece.branches for at in branch.points]
+    return bool(points) and not any(residue(slope, *at) for at in points)
 
 
 def _dimensions(branch: Branch, equation: Polynomial) -> set[str]:

@@ -319,13 +319,21 @@ def test_one_component_alone_is_not_searched_for_meetings(
 
 def test_postures_are_not_solved_for_dimensions() -> None:
     case = sk.load("3rrr_planar")
-    dimensions = {p.name for p in case.mechanism.parameters}
-    answer = sk.singularities(case)
+    dimensions = {p.name for p in case.mechanism.parameters if not p.free}
     solved = [
         solution.variable
-        for component in answer.constraint.components
+        for component in sk.singularities(case).constraint.components
         for solution in component.solved
         if solution is not None
     ]
-    assert solved
+    assert len(solved) > 9
     assert not dimensions & set(solved)
+
+
+def test_nothing_is_divided_by_what_vanishes_there() -> None:
+    """With θ1 = 0 or π, x·sin θ1 − y·cos θ1 = 0 says y = 0, and nothing of x."""
+    found = sk.singularities(sk.load("3rrr_planar")).constraint.components
+    (upright,) = (c for c in found if "sin(theta1)" in c.equations)
+    at = upright.equations.index("x*sin(theta1) - y*cos(theta1)")
+    solution = upright.solved[at]
+    assert solution is None or solution.variable != "x"
