@@ -238,8 +238,9 @@ def test_a_legend_says_what_happens_and_any_title_can_be_drawn() -> None:
     )
     curves = curves_of(answer, slicing)
     (component,) = (one.component for one in curves)
-    assert legend_text(component) == (
-        "actuation: 75 x² − 25 x y + 25 y² − 351 x + 63 y = 0"
+    assert " ".join(legend_text(component).split()) == (
+        "actuation: 75 x² − 25 x y + 25 y² − 351 x + 63 y = 0: "
+        "lines A1 B1, A2 B2 and A3 B3 meet in one point or are parallel"
     )
     named = replace(component, geometry="axes a$_{x}^\\%&#~<b> meet")
     shown = " ".join(legend_text(named).split())
