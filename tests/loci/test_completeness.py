@@ -98,8 +98,9 @@ LIMBS = [
     ("unequal_arms", 1),
     ("dual_planar_arm", 0),
     ("dual_scara", 1),
-    ("dual_puma", 0),
-    ("dual_iiwa", 1),
+    ("puma", 0),
+    ("ur5", 0),
+    ("iiwa", 0),
     ("three_arms", 2),
 ]
 
