@@ -93,6 +93,8 @@ def called(screws: Sequence[NamedScrew]) -> str:
 def _group(noun: Noun, names: Sequence[str]) -> str:
     if len(names) == 1:
         return f"{noun.one} {names[0]}"
+    if noun == JOIN:  # their names have an "and" of their own
+        return f"{noun.many} {', '.join(names[:-1])}, and {names[-1]},"
     further = [noun.between + name for name in names[1:]]
     return f"{noun.many} {listed([names[0], *further])}"
 

@@ -12,7 +12,7 @@ import screwkit as sk
 from screwkit.algebra.branches import restricted
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.figure_words import dependent, dependent_about
-from screwkit.loci.named_screws import AXIS, SLIDE, NamedScrew
+from screwkit.loci.named_screws import AXIS, JOIN, SLIDE, NamedScrew, called
 from screwkit.loci.pieces import Piece
 from screwkit.loci.same_zeros import zeros_beside
 
@@ -124,6 +124,14 @@ def test_axes_that_move_a_centre_alike() -> None:
     assert rank([*moved]) == 1
     said = "slide s is normal to the plane of axis a and C"
     assert dependent_about("C", [named[0], slide], 1) == said
+
+
+def test_lines_through_two_points_are_told_apart() -> None:
+    joins = [NamedScrew((), JOIN, f"through {p} and {q}", 0) for p, q in ("AB", "CD")]
+    assert called(joins) == "the lines through A and B, and through C and D,"
+    axes = [NamedScrew((), AXIS, name, 0) for name in "123"]
+    assert called(axes) == "axes 1, 2 and 3"
+    assert called([axes[0], joins[0]]) == "axis 1 and the line through A and B"
 
 
 def test_zeros_elsewhere_are_seen() -> None:
