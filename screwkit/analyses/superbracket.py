@@ -11,15 +11,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal, TypeAlias
 
-from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.cases import possible_factors
 from screwkit.algebra.points import residue
-from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.algebra.trigonometric import primitive
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.bracket_forms import Form, product_of
 from screwkit.loci.brackets import Monomial, shortest_monomials
 from screwkit.loci.pieces import Piece
 from screwkit.loci.placed_points import PlacedPoint
+from screwkit.loci.same_zeros import is_special
 from screwkit.loci.superbracket import SixLines, six_lines
 from screwkit.results.superbracket import BracketFactor, BracketPoint, Superbracket
 
@@ -114,7 +114,7 @@ def _holds(
     root, library = assembly.root(ring), assembly.library(ring)
     factors = possible_factors(root, primitive(value), library)
     # What ties the dimensions alone is a special mechanism, not a posture.
-    keys = {f.key for f in factors if not _is_special(root, f.equations[0])}
+    keys = {f.key for f in factors if not is_special(root, f.equations[0])}
     if not keys:
         return "never"
     known = {
@@ -123,10 +123,6 @@ def _holds(
     if keys <= known:
         return "exactly"
     return "wider" if met else "elsewhere"
-
-
-def _is_special(root: Branch, equation: Polynomial) -> bool:
-    return any(branch.is_special for branch in restricted(root, equation))
 
 
 def expression(form: Form) -> str:

@@ -18,7 +18,7 @@ from typing import TypeAlias
 
 from screwkit.algebra.elimination_modulo import Eliminated, eliminated
 from screwkit.finite.lie_closure import ResidueScrew, Span, Word
-from screwkit.kinematics.network import Motion, Network
+from screwkit.kinematics.network import Motion
 from screwkit.mechanism.model import JointType
 
 Cycle: TypeAlias = tuple[tuple[int, int], ...]
@@ -253,7 +253,9 @@ def chain_graph(motion: Motion, held: Collection[str] = ()) -> ChainGraph:
     two balls of a rod undo each other by opposite angles, factor by factor.
     """
     network, posture = motion.network, motion.posture
-    far = _joints_away(network)
+    far = joints_away(
+        ((j.parent, j.child) for j in network.mechanism.joints), network.mechanism.base
+    )
     orders: dict[str, tuple[str, ...]] = {}
     edges: list[Edge] = []
     for joint in sorted(network.mechanism.joints, key=lambda joint: joint.name):
@@ -283,13 +285,13 @@ def chain_graph(motion: Motion, held: Collection[str] = ()) -> ChainGraph:
     return with_parameters(edges, posture.prime, loops)
 
 
-def _joints_away(network: Network) -> dict[str, int]:
+def joints_away(ends: Iterable[tuple[str, str]], base: str) -> dict[str, int]:
     """How many joints lie between the base and each body connected with it."""
     beside: dict[str, list[str]] = {}
-    for joint in network.mechanism.joints:
-        beside.setdefault(joint.parent, []).append(joint.child)
-        beside.setdefault(joint.child, []).append(joint.parent)
-    found = {network.mechanism.base: 0}
+    for parent, child in ends:
+        beside.setdefault(parent, []).append(child)
+        beside.setdefault(child, []).append(parent)
+    found = {base: 0}
     waiting = deque(found)
     while waiting:
         here = waiting.popleft()

@@ -8,14 +8,14 @@ at the very same postures.
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from screwkit.algebra.batch import Array
+from screwkit.finite.chain_graph import joints_away
 from screwkit.finite.exponentials import Stance, cross
 from screwkit.finite.posture_model import PosedJoint, PostureModel
 
@@ -95,7 +95,7 @@ def _ordered(model: PostureModel) -> tuple[list[PosedJoint], NDArray[np.intp]]:
         The joints, their screws not yet turned, and which given freedom each is.
     """
     starts = np.cumsum([0, *(len(joint.screws) for joint in model.joints)])
-    away = _bodies_away(model)
+    away = joints_away(((j.parent, j.child) for j in model.joints), model.base)
     joints, order = list[PosedJoint](), list[NDArray[np.intp]]()
     for number in sorted(range(len(model.joints)), key=lambda k: model.joints[k].name):
         joint = model.joints[number]
@@ -167,20 +167,3 @@ def _sign(screw: Array) -> float:
     along = screw[:3] if screw[:3].any() else screw[3:]
     leading = along[np.abs(along) > VISIBLE]
     return -1.0 if len(leading) and leading[0] < 0 else 1.0
-
-
-def _bodies_away(model: PostureModel) -> Mapping[str, int]:
-    """How many joints lie between the base and each body connected with it."""
-    beside: dict[str, list[str]] = {}
-    for joint in model.joints:
-        beside.setdefault(joint.parent, []).append(joint.child)
-        beside.setdefault(joint.child, []).append(joint.parent)
-    found = {model.base: 0}
-    waiting = deque(found)
-    while waiting:
-        here = waiting.popleft()
-        for there in beside.get(here, ()):
-            if there not in found:
-                found[there] = found[here] + 1
-                waiting.append(there)
-    return found

@@ -13,8 +13,9 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from screwkit.algebra.modular import rank
-from screwkit.conventions import DIRECTION, MOMENT
+from screwkit.conventions import DIRECTION
 from screwkit.loci.named_screws import SLIDE, NamedScrew, called
+from screwkit.loci.placed_points import power
 
 Rows = Sequence[Sequence[int]]
 
@@ -35,7 +36,7 @@ def dependent(
     if len(lines) + len(free) < len(screws):
         return _pitched(screws, rank_left)
     if not lines:
-        return _directions(screws, rank_left)
+        return dependent_directions(screws, rank_left)
     if not free:
         return _of_lines(lines, rank_left, generic, prime)
     if len(screws) == 3 and rank_left == 2 and len(lines) == 2:
@@ -44,7 +45,8 @@ def dependent(
     return _complex(screws, rank_left)
 
 
-def _directions(screws: Sequence[NamedScrew], rank_left: int) -> str | None:
+def dependent_directions(screws: Sequence[NamedScrew], rank_left: int) -> str | None:
+    """How screws lie whose directions are dependent."""
     if rank_left == 1:
         return f"{called(screws)} are parallel"
     if rank_left == 2:
@@ -71,12 +73,7 @@ def _of_lines(
 
 def _all_meet(rows: Rows, prime: int) -> bool:
     """Whether lines meet in pairs: in one point, or in one plane."""
-    return not any(
-        sum(x * y for x, y in zip(a[DIRECTION], b[MOMENT], strict=True)) % prime
-        + sum(x * y for x, y in zip(a[MOMENT], b[DIRECTION], strict=True)) % prime
-        not in (0, prime)
-        for a, b in combinations(rows, 2)
-    )
+    return not any(power(a, b) % prime for a, b in combinations(rows, 2))
 
 
 def _two_and_a_couple(
@@ -108,11 +105,6 @@ def _pitched(screws: Sequence[NamedScrew], rank_left: int) -> str | None:
     return f"one of {called(screws)} is a combination of the others"
 
 
-def dependent_directions(screws: Sequence[NamedScrew], rank_left: int) -> str | None:
-    """How lines lie that are dependent up to translations, or up to couples."""
-    return _directions(screws, rank_left)
-
-
 def dependent_about(
     centre: str, screws: Sequence[NamedScrew], rank_left: int
 ) -> str | None:
@@ -125,7 +117,7 @@ def dependent_about(
     if len(lines) + len(free) < len(screws) or len(screws) != rank_left + 1:
         return None
     if not lines:
-        return _directions(free, rank_left)
+        return dependent_directions(free, rank_left)
     named = called(lines)
     if rank_left == 0:
         return f"{named} passes through {centre}"

@@ -205,7 +205,8 @@ class Figures:
             circuits = list(_circuits(least, largest, general, prime, there))
             whole = list(_classes(view.screws, general, prime, there))
             for chosen, left in sorted([*whole, *circuits], key=lambda c: c[1]):
-                yield view, chosen, left
+                if left + 1 >= smallest:
+                    yield view, chosen, left
 
     def _sentence(self, view: View, chosen: Sequence[int], left: int) -> str | None:
         point, prime = self._root.points[0]

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
 
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import residue
@@ -18,12 +17,11 @@ from screwkit.kinematics.frames import FramedTwists
 from screwkit.loci.features import listed
 from screwkit.loci.placed_points import (
     PlacedPoint,
-    placed_at,
     placed_points,
-    power,
     sample_points,
     wrench_through,
 )
+from screwkit.loci.reciprocal_lines import reciprocal_lines
 from screwkit.screw.nullspace import has_pitch
 
 
@@ -134,8 +132,9 @@ def wrench_screws(
         if limb.elements is not None:
             continue
         passive = [framed.column(j) for j in limb.joints if j not in locked]
-        own = [points[i] for i, owner in enumerate(owners) if number in owner]
-        found += _of_limb(framed.ring, number, own, passive, samples)
+        own = [i for i, owner in enumerate(owners) if number in owner]
+        lines, _ = reciprocal_lines(passive, own, points, samples)
+        found += [_join(framed.ring, points[a], points[b], number) for a, b in lines]
     return tuple(_named_as_axis(screw, axes, samples) for screw in found)
 
 
@@ -150,40 +149,6 @@ def _named_as_axis(
             if all(rank([screw.at(*at), axis.at(*at)], at[1]) == 1 for at in samples):
                 return replace(screw, noun=AXIS, name=axis.name)
     return screw
-
-
-def _of_limb(
-    ring: TrigonometricRing,
-    number: int,
-    points: Sequence[PlacedPoint],
-    passive: Sequence[Sequence[Polynomial]],
-    samples: Sequence[tuple[Sequence[int], int]],
-) -> list[NamedScrew]:
-    twists = [[[residue(x, at, p) for x in t] for t in passive] for at, p in samples]
-    first, prime = samples[0]
-    wanted = 6 - rank(twists[0], prime)
-    found: list[NamedScrew] = []
-    rows: list[list[int]] = []
-    pairs = sorted(
-        combinations(points, 2),
-        key=lambda pair: (
-            sum(p.arbitrary for p in pair),
-            sum(p.ideal for p in pair),
-        ),
-    )
-    for a, b in pairs:
-        if len(found) == wanted:
-            break
-        for own, (at, p) in zip(twists, samples, strict=True):
-            wrench = wrench_through(*placed_at([a, b], at, p))
-            if any(power(wrench, twist) % p for twist in own):
-                break
-        else:
-            row = [x % prime for x in wrench_through(*placed_at([a, b], first, prime))]
-            if rank([*rows, row], prime) > len(rows):
-                rows.append(row)
-                found.append(_join(ring, a, b, number))
-    return found
 
 
 def _join(

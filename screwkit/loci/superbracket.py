@@ -12,10 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from itertools import combinations
 
-from screwkit.algebra.modular import rank
-from screwkit.algebra.points import residue
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.bracket_forms import Sample
 from screwkit.loci.brackets import Bracket, Line, bracket
@@ -23,10 +20,9 @@ from screwkit.loci.placed_points import (
     PlacedPoint,
     placed_at,
     placed_points,
-    power,
     sample_points,
-    wrench_through,
 )
+from screwkit.loci.reciprocal_lines import independent, reciprocal_lines
 
 
 @dataclass(frozen=True)
@@ -67,17 +63,10 @@ def six_lines(assembly: Assembly, actuated: Collection[str]) -> SixLines | str:
     placed = [Sample(placed_at(points, at, prime), prime) for at, prime in samples]
     chosen: list[Line] = []
     for number, limb in enumerate(assembly.limbs):
-        passive = [joint for joint in limb.joints if joint not in actuated]
-        twists = [
-            [[residue(x, at, p) for x in framed.column(j)] for j in passive]
-            for at, p in samples
-        ]
-        wanted = 6 - max(
-            rank(t, s.prime) if t else 0 for t, s in zip(twists, placed, strict=True)
-        )
+        passive = [framed.column(j) for j in limb.joints if j not in actuated]
         own = [i for i, owner in enumerate(owners) if number in owner]
-        lines = _basis(wanted, own, points, twists, placed)
-        if lines is None:
+        lines, wanted = reciprocal_lines(passive, own, points, samples)
+        if len(lines) < wanted:
             return (
                 f"not all wrenches of limb {limb.name} are spanned by lines through "
                 f"two of its points"
@@ -96,49 +85,12 @@ def six_lines(assembly: Assembly, actuated: Collection[str]) -> SixLines | str:
     )
 
 
-def _basis(
-    wanted: int,
-    own: Sequence[int],
-    points: Sequence[PlacedPoint],
-    twists: Sequence[Sequence[Sequence[int]]],
-    placed: Sequence[Sample],
-) -> list[Line] | None:
-    """Lines through two points that are reciprocal to these twists and span so much."""
-    pairs = sorted(
-        combinations(own, 2),
-        key=lambda pair: (
-            sum(points[i].arbitrary for i in pair),
-            sum(points[i].ideal for i in pair),
-        ),
-    )
-    chosen: list[Line] = []
-    for a, b in pairs:
-        if len(chosen) == wanted:
-            break
-        reciprocal = all(
-            not power(wrench_through(s.points[a], s.points[b]), twist) % s.prime
-            for own_twists, s in zip(twists, placed, strict=True)
-            for twist in own_twists
-        )
-        if reciprocal and _independent([*chosen, (a, b)], placed[0]):
-            chosen.append((a, b))
-    return chosen if len(chosen) == wanted else None
-
-
 def _independent_part(
     lines: Sequence[Line], points: Sequence[PlacedPoint], sample: Sample
 ) -> list[Line]:
     """Lines that span as much, joins of two points before parallels to axes."""
     kept: list[Line] = []
     for line in sorted(lines, key=lambda pair: sum(points[i].ideal for i in pair)):
-        if _independent([*kept, line], sample):
+        if independent([*kept, line], sample):
             kept.append(line)
     return [line for line in lines if line in kept]
-
-
-def _independent(lines: Sequence[Line], sample: Sample) -> bool:
-    rows = [
-        [x % sample.prime for x in wrench_through(sample.points[a], sample.points[b])]
-        for a, b in lines
-    ]
-    return rank(rows, sample.prime) == len(lines)
