@@ -158,6 +158,9 @@ def _linear(
         return _without_constant(ring, short, a, b, assumptions)
     if b == 0 or a == 0:
         ratio = Quotient.of(ring, short, -e, b if a == 0 else a)
+        same = AngleValue.of_angle(ratio, short, is_cosine=a == 0)
+        if same is not None:
+            return same, "2*pi"
         core = AngleValue.inverse("acos" if a == 0 else "asin", ratio)
         if a == 0:
             return [core, -core], "2*pi"
@@ -206,6 +209,9 @@ def _general(
     if 4 * (len(inside) - 1) > LONGEST_TEXT:
         return []
     ae, be = ring.normal(-a * e), ring.normal(-b * e)
+    if inside == 0:
+        sine, cosine = _text(ring, short, ae), _text(ring, short, be)
+        return [AngleValue(f"atan2({sine}, {cosine})")]
     root = f"sqrt({_text(ring, short, inside)})"
     branches = []
     for sign in (1, -1):
@@ -306,6 +312,8 @@ def _roots(
     even = all(int(k.p) % 2 == 0 and k.q == 1 for k in b.coeffs())
     half, below = (b / 2, a) if even else (b, 2 * a)
     inside = ring.normal(half * half - a * c * (1 if even else 4))
+    if inside == 0:
+        return [Quotient.of(ring, short, -half, below).text]
     root = f"sqrt({_text(ring, short, inside)})"
     start, written = _text(ring, short, -half), _text(ring, short, below)
     if below == 1:

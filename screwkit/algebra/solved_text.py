@@ -81,15 +81,17 @@ class Quotient:
 
 @dataclass(frozen=True)
 class AngleValue:
-    """A branch: ± some inverse function, plus a multiple of π.
+    """A branch: ± an inverse function or another angle, plus a multiple of π.
 
     Attributes:
         core: Text of the inverse function; may be empty.
-        positive: Its sign.
+        other: The other angle; may be empty.
+        positive: The sign of both.
         half_turns: The multiple of π.
     """
 
     core: str = ""
+    other: Form = ()
     positive: bool = True
     half_turns: Fraction = Fraction(0)
 
@@ -107,13 +109,40 @@ class AngleValue:
         multiple = "" if times == 1 else f"{times}*"
         return cls(f"{multiple}{function}({argument.text})")
 
+    @classmethod
+    def of_angle(
+        cls, ratio: Quotient, angles: Merged, *, is_cosine: bool
+    ) -> list[AngleValue] | None:
+        """Both φ whose cosine (or sine) is ± the cosine or sine of another angle."""
+        ring = ratio.ring
+        for i, pair in enumerate(zip(ring.sines, ring.cosines, strict=True)):
+            sine, cosine = reversed(pair) if i in angles.exchanged else pair
+            core = cls(other=angles.forms[i])
+            for sign in (1, -1):
+                above = sign * ratio.numerator
+                if ratio.denominator != 1 or above not in (sine, cosine):
+                    continue
+                # φ = α, or π/2 − α where a cosine is a sine.
+                first = core if (above == cosine) == is_cosine else (-core).plus(_HALF)
+                if is_cosine:
+                    first = first if sign == 1 else first.plus(1)
+                    both = first, -first
+                else:
+                    first = first if sign == 1 else -first
+                    both = first, (-first).plus(1)
+                return [
+                    replace(one, half_turns=1 - (1 - one.half_turns) % 2)
+                    for one in both
+                ]
+        return None
+
     def __neg__(self) -> AngleValue:
         return replace(self, positive=not self.positive, half_turns=-self.half_turns)
 
     def plus(self, half_turns: Fraction | int) -> AngleValue:
         """Turned on; a plain multiple of π is brought into (−π, π]."""
         total = self.half_turns + half_turns
-        if not self.core:
+        if not self.core and not self.other:
             total = 1 - (1 - total) % 2
         return replace(self, half_turns=total)
 
@@ -123,13 +152,17 @@ def angle_values_text(
 ) -> tuple[str, ...]:
     """The branches of ``variable`` where the merged angle has the given values."""
     sign = dict(form)[variable]
-    rest = [(n, -sign * count) for n, count in form if n != variable]
-    rest.sort(key=lambda part: part[1] < 0)
     texts = []
     for branch in branches:
         value = branch if sign == 1 else -branch
         if not value.core:
             value = value.plus(0)
+        counts = {n: -sign * count for n, count in form if n != variable}
+        for name, count in value.other:
+            moved = count if value.positive else -count
+            counts[name] = counts.get(name, 0) + moved
+        rest = [(name, count) for name, count in counts.items() if count]
+        rest.sort(key=lambda part: part[1] < 0)
         terms = [angle_text((part,)) for part in rest]
         if value.core:
             terms.append(value.core if value.positive else f"-{value.core}")

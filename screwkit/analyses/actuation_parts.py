@@ -2,36 +2,44 @@
 
 from __future__ import annotations
 
+from functools import partial
+
+from screwkit.analyses.one_component import component_of
+from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.actuation_locus import ActuationLocus
 from screwkit.loci.pieces import Piece
-from screwkit.loci.wording import all_solutions, equations_of, solved_equations
 from screwkit.results.singularities import Component
 
 
 def actuation_parts(
-    locus: ActuationLocus, dimension: int
+    assembly: Assembly, locus: ActuationLocus
 ) -> tuple[tuple[Piece, Component], ...]:
     """Each piece with its component; idle where the platform has no freedom there.
 
     Args:
+        assembly: The mechanism.
         locus: Of one scheme.
-        dimension: Of all twists: six, or three in the plane.
     """
-    meanings = locus.meanings
+    ring = assembly.common_twists.ring
+    written = partial(
+        component_of, root=assembly.root(ring), library=assembly.library(ring)
+    )
+
+    def words(piece: Piece) -> str | None:
+        return locus.meanings.each_of(piece) if locus.meanings else None
+
+    held = [assembly.dimension - state.platform_freedom for state in locus.states]
     return tuple(
         (
             piece,
-            Component(
-                equations=equations_of(piece),
-                codimension=piece.codimension,
-                solutions=all_solutions(piece),
-                solved=solved_equations(piece),
-                rank=dimension - state.platform_freedom,
-                geometry=meanings.each_of(piece) if meanings else None,
-                wrench_dimension=dimension - state.platform_freedom,
+            written(
+                piece,
+                words=words,
+                rank=rank,
+                wrench_dimension=rank,
                 platform_freedom=state.platform_freedom,
                 mobility=state.mobility,
             ),
         )
-        for piece, state in zip(locus.pieces, locus.states, strict=True)
+        for piece, state, rank in zip(locus.pieces, locus.states, held, strict=True)
     )

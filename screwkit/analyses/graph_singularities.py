@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from screwkit.analyses.limb_component import limb_component
+from screwkit.analyses.one_component import limb_component
 from screwkit.analyses.whole_singularities import (
     graph_component,
     never_still,
@@ -105,9 +105,11 @@ def _limb(limb: WholeGraph, name: str) -> LimbSingularities:
     components = tuple(
         limb_component(
             piece,
-            state_on(limb, piece.branches).platform_freedom,
+            limb.root,
+            limb.library,
             meanings,
-            _size(limb),
+            rank=state_on(limb, piece.branches).platform_freedom,
+            dimension=_size(limb),
         )
         for piece in _in_order(locus.pieces)
     )
@@ -188,8 +190,10 @@ def _component(
     state: GraphState,
     rank: int,
 ) -> Component:
-    geometry = meanings.each_of(piece) if meanings else None
-    return graph_component(piece, state, _size(graph), rank, geometry)
+    def words(one: Piece) -> str | None:
+        return meanings.each_of(one) if meanings else None
+
+    return graph_component(graph, piece, state, rank, words)
 
 
 def _proof(locus: GraphLocus, subject: str) -> str:

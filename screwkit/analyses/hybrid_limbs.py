@@ -13,7 +13,7 @@ from functools import partial
 from weakref import WeakKeyDictionary
 
 from screwkit.algebra.branches import Branch
-from screwkit.analyses.limb_component import limb_component
+from screwkit.analyses.one_component import limb_component
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.kinematics.told_parts import own_parts
@@ -71,7 +71,14 @@ def hybrid_limb(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
         strata.narrow, partial(with_exact_equations, singular=singular)
     )
     components = tuple(
-        limb_component(piece, dimension(piece), meanings, assembly.dimension)
+        limb_component(
+            piece,
+            root,
+            library,
+            meanings,
+            rank=dimension(piece),
+            dimension=assembly.dimension,
+        )
         for piece in found.exact.pieces
     )
     return LimbSingularities(

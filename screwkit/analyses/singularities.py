@@ -16,12 +16,13 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.analyses.actuation_parts import actuation_parts
 from screwkit.analyses.hybrid_limbs import hybrid_limb, strata_of
-from screwkit.analyses.limb_component import limb_component
+from screwkit.analyses.one_component import component_of, limb_component
 from screwkit.analyses.superbracket import superbracket
 from screwkit.analyses.whole_singularities import put_together
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.limb_parts import Parts
 from screwkit.kinematics.loop_columns import loop_columns
+from screwkit.kinematics.loop_state import LoopState
 from screwkit.kinematics.told_parts import told_parts
 from screwkit.loci.actuation import actuation_locus
 from screwkit.loci.actuation_locus import ActuationLocus
@@ -48,7 +49,7 @@ from screwkit.loci.pieces import Piece, pieces_of, told_apart
 from screwkit.loci.rank_drop import RankDrop, generic_rank
 from screwkit.loci.searching_again import searched_again
 from screwkit.loci.strata import in_ring
-from screwkit.loci.wording import all_solutions, equations_of, solved_equations
+from screwkit.loci.wording import equations_of
 from screwkit.loci.wrench_sums import height_of
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
@@ -112,10 +113,17 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
     pieces = _in_order(found.exact.pieces)
     (drop,) = found.last.drops
     meanings = Meanings(framed, root, library, axes_of(framed, root, library))
-    components = []
-    for piece in pieces:
-        rank = rank_on(piece, columns)
-        components.append(limb_component(piece, rank, meanings, assembly.dimension))
+    components = [
+        limb_component(
+            piece,
+            root,
+            library,
+            meanings,
+            rank=rank_on(piece, columns),
+            dimension=assembly.dimension,
+        )
+        for piece in pieces
+    ]
     return LimbSingularities(
         limb=limb.name,
         joints=limb.joints,
@@ -226,7 +234,9 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
         exactly,
     )
     components = tuple(
-        _constraint_component(piece, limbs, meanings, assembly.dimension)
+        _constraint_component(
+            piece, root, library, meanings, state_on(piece, limbs), assembly.dimension
+        )
         for piece in _in_order(found.exact.pieces)
     )
     return ConstraintSingularities(
@@ -271,18 +281,18 @@ def _constraint_proof(drop: LoopDrop) -> str:
 
 def _constraint_component(
     piece: Piece,
-    limbs: Sequence[Parts],
+    root: Branch,
+    library: FactorLibrary,
     meanings: Meanings,
+    state: LoopState,
     size: int,
 ) -> Component:
-    state = state_on(piece, limbs)
-    return Component(
-        equations=equations_of(piece),
-        codimension=piece.codimension,
-        solutions=all_solutions(piece),
-        solved=solved_equations(piece),
+    return component_of(
+        piece,
+        root,
+        library,
+        meanings.each_of,
         rank=state.loop,
-        geometry=meanings.each_of(piece),
         wrench_dimension=size - state.platform_freedom,
         platform_freedom=state.platform_freedom,
         mobility=state.mobility,
@@ -295,7 +305,7 @@ def actuation_singularities(
     """Where, with these joints locked, the platform can move."""
     locus = actuation_locus(assembly, actuated)
     size = assembly.dimension
-    parts = actuation_parts(locus, size)
+    parts = actuation_parts(assembly, locus)
     moving = [(p, c) for p, c in parts if c.platform_freedom]
     bracket = None
     if locus.admissible:

@@ -10,12 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from screwkit.algebra.points_on import Unknown
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.solve import solutions
 from screwkit.analyses.closed_example import closed_example
+from screwkit.analyses.one_component import component_of
 from screwkit.analyses.tied_branch import rank_in_the_file
 from screwkit.analyses.whole_singularities import (
     graph_component,
@@ -26,8 +28,8 @@ from screwkit.kinematics.tied_graph import TiedGraph
 from screwkit.kinematics.whole_graph import GraphState
 from screwkit.loci.closed_pieces import TiedLocus, TiedPiece
 from screwkit.loci.graph_witness import GraphWitnesses
+from screwkit.loci.pieces import Piece
 from screwkit.loci.tied_loci import columns_locus, loop_locus
-from screwkit.loci.wording import all_solutions, equations_of, solved_equations
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
     ActuationSingularities,
@@ -119,16 +121,7 @@ def _limb(graph: TiedGraph, number: int, kept: Sequence[Unknown]) -> LimbSingula
         generic_rank=rank,
         complete=not locus.reason,
         components=tuple(
-            Component(
-                equations=equations_of(one.piece),
-                codimension=one.piece.codimension,
-                solutions=all_solutions(one.piece),
-                solved=solved_equations(one.piece),
-                rank=graph.rank_of(labels, one.points),
-                geometry=_where_closed(graph, one),
-                wrench_dimension=_size(graph) - graph.rank_of(labels, one.points),
-                example=closed_example(graph, one.piece.equations),
-            )
+            _limb_component(graph, one, graph.rank_of(labels, one.points))
             for one in locus.pieces
         ),
         proof=_proof(locus),
@@ -185,13 +178,32 @@ def tied_actuation(
 def _component(
     graph: TiedGraph, one: TiedPiece, state: GraphState, rank: int
 ) -> Component:
-    geometry = _where_closed(graph, one)
-    component = graph_component(one.piece, state, _size(graph), rank, geometry)
+    words = partial(_where_closed, graph, one)
+    component = graph_component(graph, one.piece, state, rank, words)
+    return _with_example(graph, one, component)
+
+
+def _limb_component(graph: TiedGraph, one: TiedPiece, rank: int) -> Component:
+    component = component_of(
+        one.piece,
+        graph.root,
+        graph.library,
+        partial(_where_closed, graph, one),
+        rank=rank,
+        wrench_dimension=_size(graph) - rank,
+    )
+    return _with_example(graph, one, component)
+
+
+def _with_example(graph: TiedGraph, one: TiedPiece, component: Component) -> Component:
     return replace(component, example=closed_example(graph, one.piece.equations))
 
 
-def _where_closed(graph: TiedGraph, one: TiedPiece) -> str | None:
-    """What the driven variables are at closed postures on a piece, in words."""
+def _where_closed(graph: TiedGraph, one: TiedPiece, _: Piece) -> str | None:
+    """What the driven variables are at closed postures on a piece, in words.
+
+    However the piece is written.
+    """
     ring = graph.framed.ring
     sentences = []
     for part in one.inputs:

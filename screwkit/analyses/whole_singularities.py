@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.analyses.assumed import assumptions_in_words, unsplit
-from screwkit.kinematics.whole_graph import GraphState
+from screwkit.analyses.one_component import component_of
+from screwkit.kinematics.whole_graph import GraphState, WholeGraph
 from screwkit.loci.pieces import Piece
-from screwkit.loci.wording import all_solutions, equations_of, solved_equations
 from screwkit.mechanism.model import Mechanism
 from screwkit.results.singularities import (
     ActuationSingularities,
@@ -59,25 +59,28 @@ def put_together(
 
 
 def graph_component(
-    piece: Piece, state: GraphState, size: int, rank: int, geometry: str | None
+    graph: WholeGraph,
+    piece: Piece,
+    state: GraphState,
+    rank: int,
+    words: Callable[[Piece], str | None],
 ) -> Component:
     """A component of a locus of the loop equations.
 
     Args:
+        graph: Of the mechanism.
         piece: Where it is.
         state: What moves there.
-        size: Coordinates of a twist.
         rank: That is lower there.
-        geometry: What it means.
+        words: What a piece means.
     """
-    return Component(
-        equations=equations_of(piece),
-        codimension=piece.codimension,
-        solutions=all_solutions(piece),
-        solved=solved_equations(piece),
+    return component_of(
+        piece,
+        graph.root,
+        graph.library,
+        words,
         rank=rank,
-        geometry=geometry,
-        wrench_dimension=size - state.platform_freedom,
+        wrench_dimension=len(graph.network.rows) - state.platform_freedom,
         platform_freedom=state.platform_freedom,
         mobility=state.mobility,
     )

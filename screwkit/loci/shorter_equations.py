@@ -53,7 +53,7 @@ def _one_shorter(
     for place in order:
         others = [e for k, e in enumerate(equations) if k != place]
         best = equations[place]
-        for remainder in _remainders(root, best, others):
+        for remainder in remainders(root, best, others):
             factor = _on_piece(remainder, piece, root, library)
             if factor is not None and len(factor) < len(best):
                 best = factor
@@ -64,10 +64,13 @@ def _one_shorter(
     return None
 
 
-def _remainders(
+def remainders(
     root: Branch, equation: Polynomial, others: Sequence[Polynomial]
 ) -> Iterator[Polynomial]:
-    """An equation less each single-term multiple of another that takes a term away."""
+    """An equation less each single-term multiple of another that takes a term away.
+
+    None is longer than the equation was.
+    """
     if len(equation) > TERMS:
         return
     for other in others:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from typing import Final
+
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factors import Factor
@@ -12,6 +15,8 @@ from screwkit.algebra.solve import Solved, solutions
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.loci.pieces import Piece
 from screwkit.results.solution import Solution
+
+_NAME: Final = re.compile(r"[^\W\d]\w*")
 
 
 def equations_of(piece: Piece) -> tuple[str, ...]:
@@ -24,22 +29,41 @@ def solved_equations(piece: Piece) -> tuple[Solution | None, ...]:
     """For each equation its simplest solution, no variable twice; None without one.
 
     A condition on the posture is not solved for a dimension, nor for a symbol that it
-    leaves free there.
+    leaves free there; and no two are solved for a variable of each other.
     """
-    branch = piece.branches[0]
-    used: set[str] = set()
+    equations = piece.equations
+    offers = [_offers(piece, i) for i in range(len(equations))]
+    behind: dict[str, set[str]] = {}  # what each solved variable is given by
     found: dict[int, Solution] = {}
-    # Equations in few variables choose first.
-    order = sorted(range(len(piece.equations)), key=lambda i: len(piece.equations[i]))
-    for i in order:
-        for s in _solved(branch.ring, piece.equations[i], branch.assumptions):
-            if s.variable in used | _dimensions(branch, piece.equations[i]):
+    # Equations that can be solved for few variables choose first.
+    for i in sorted(
+        range(len(equations)), key=lambda i: (len(offers[i]), len(equations[i]))
+    ):
+        for offer in offers[i]:
+            names = set(_NAME.findall(" ".join(offer.values)))
+            names |= {inner for name in names for inner in behind.get(name, ())}
+            if offer.variable in behind or offer.variable in names:
                 continue
-            if s.modulo or not _divides_by_zero(piece, i, s.variable):
-                used.add(s.variable)
-                found[i] = Solution(s.variable, s.values, s.modulo)
-                break
-    return tuple(found.get(i) for i in range(len(piece.equations)))
+            behind[offer.variable] = names
+            for known in behind.values():
+                if offer.variable in known:
+                    known.update(names)
+            found[i] = offer
+            break
+    return tuple(found.get(i) for i in range(len(equations)))
+
+
+def _offers(piece: Piece, number: int) -> list[Solution]:
+    """What an equation is solved for, simplest first."""
+    branch = piece.branches[0]
+    equation = piece.equations[number]
+    barred = _dimensions(branch, equation)
+    return [
+        Solution(s.variable, s.values, s.modulo)
+        for s in _solved(branch.ring, equation, branch.assumptions)
+        if s.variable not in barred
+        and (s.modulo or not _divides_by_zero(piece, number, s.variable))
+    ]
 
 
 def _divides_by_zero(piece: Piece, number: int, variable: str) -> bool:

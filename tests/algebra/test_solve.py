@@ -186,3 +186,31 @@ def test_the_positive_or_the_later_angle_comes_first(
 ) -> None:
     ((_, _, found),) = solved(text)
     assert [s.variable for s in found] == variables
+
+
+@pytest.mark.parametrize(
+    "inner", ["sin(q2)", "cos(q2)", "cos(q2 + q3)", "sin(q1 - q3)"]
+)
+@pytest.mark.parametrize("outer", ["sin(q1)", "cos(q1)"])
+@pytest.mark.parametrize("sign", "+-")
+def test_the_function_of_another_angle_is_solved_without_its_inverse(
+    outer: str, inner: str, sign: str
+) -> None:
+    condition = parse(f"{outer} {sign} {inner}")
+    survey = SurveyRing()
+    evaluate(condition, survey)
+    ring = TrigonometricRing(survey)
+    whole = ring.normal(evaluate(condition, ring))
+    found = solutions(ring, Factor(str(whole), (whole,)), POSITIVE)
+    assert found
+    point = {"q1": 0.4, "q2": 1.3, "q3": 2.2}
+    for one in found:
+        assert len(one.values) == 2
+        for value in one.values:
+            assert "(" not in value
+            at = {**point, one.variable: number(parse(value), point)}
+            assert abs(number(condition, at)) < 1e-12
+        sines = {
+            round(math.sin(number(parse(value), point)), 9) for value in one.values
+        } | {round(math.cos(number(parse(v), point)), 9) for v in one.values}
+        assert len(sines) > 2  # two angles, not one twice

@@ -1,0 +1,82 @@
+"""One component of an answer: the piece in its fewest words, and what holds there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.factor_library import FactorLibrary
+from screwkit.loci.meanings import Meanings
+from screwkit.loci.pieces import Piece
+from screwkit.loci.reduced_equations import reduced
+from screwkit.loci.wording import all_solutions, equations_of, solved_equations
+from screwkit.results.singularities import Component
+
+
+def component_of(
+    piece: Piece,
+    root: Branch,
+    library: FactorLibrary,
+    words: Callable[[Piece], str | None],
+    *,
+    rank: int,
+    wrench_dimension: int,
+    platform_freedom: int | None = None,
+    mobility: int | None = None,
+) -> Component:
+    """A piece as a component.
+
+    Args:
+        piece: As it was found, with equations of limbs as a rule, which have a meaning
+            of their own.
+        root: The whole configuration space.
+        library: Factors met before.
+        words: What a piece means; None where no sentence is found.
+        rank: That is lower there.
+        wrench_dimension: Of the wrenches that hold the platform there.
+        platform_freedom: Dimension of its twists.
+        mobility: Of the whole mechanism.
+    """
+    simpler = reduced(piece, root, library)
+    geometry = words(piece)
+    if geometry is None and simpler is not piece:
+        geometry = words(simpler)
+    return Component(
+        equations=equations_of(simpler),
+        codimension=piece.codimension,
+        solutions=all_solutions(simpler),
+        solved=solved_equations(simpler),
+        rank=rank,
+        geometry=geometry,
+        wrench_dimension=wrench_dimension,
+        platform_freedom=platform_freedom,
+        mobility=mobility,
+    )
+
+
+def limb_component(
+    piece: Piece,
+    root: Branch,
+    library: FactorLibrary,
+    meanings: Meanings | None,
+    *,
+    rank: int,
+    dimension: int,
+) -> Component:
+    """A piece on which a limb loses a freedom.
+
+    Args:
+        piece: Of the limb's locus.
+        root: The whole configuration space.
+        library: Factors met before.
+        meanings: Of the limb's frame; None where no sentence is looked for.
+        rank: Of its twists there.
+        dimension: Coordinates of a twist that count.
+    """
+
+    def words(one: Piece) -> str | None:
+        return meanings.of_limb(one) if meanings else None
+
+    return component_of(
+        piece, root, library, words, rank=rank, wrench_dimension=dimension - rank
+    )
