@@ -64,15 +64,16 @@ def graph_singularities(
         progress(f"limb {limb.name}", f"{len(limb.joints)} joints")
         limbs.append(_limb(graph.limbs[number], limb.name))
         finished(f"limb {limb.name}", limbs[-1])
-    progress("constraint", f"{len(graph.network.labels)} columns")
-    constraint = _constraint(graph)
-    finished("constraint", constraint)
     scheme = tuple(mechanism.actuated if actuated is None else actuated)
     actuation = None
     if scheme:
         free = len(graph.network.labels) - len(scheme)
         progress("actuation", f"{free} passive freedoms")
         actuation, _ = actuation_places(graph, scheme)
+        finished("actuation", actuation)
+    progress("constraint", f"{len(graph.network.labels)} columns")
+    constraint = _constraint(graph)
+    finished("constraint", constraint)
     return put_together(
         mechanism,
         (limbs, constraint, actuation),

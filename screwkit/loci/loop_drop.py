@@ -134,6 +134,7 @@ def loop_drop(
     search: Search,
     lost: Lost = rank_is_lost,
     given: Sequence[Piece] = (),
+    early: Callable[[Sequence[Piece], LoopState], None] = lambda pieces, generic: None,
 ) -> LoopDrop:
     """Every piece of ``root`` on which the loop constraint matrix loses rank.
 
@@ -146,6 +147,8 @@ def loop_drop(
         lost: What is looked for instead; it must hold wherever, on some combination of
             strata, the limbs' wrench systems together lose dimensions.
         given: Pieces that are known; they are among the pieces of the answer.
+        early: Given the pieces found so far, and the generic state, whenever the search
+            of a combination found some.
     """
     generic = loop_state(root, limbs)
     if generic is None:
@@ -162,7 +165,10 @@ def loop_drop(
             searched = sum(s.codimension for s in chosen) - 1
             unsearched = len(combinations) - position
             break
+        known = len(walk.found)
         _visit(root, chosen, walk)
+        if len(walk.found) > known:
+            early(walk.pieces, generic)
     found = pieces_of([*walk.found, *_other_sheets(walk.found, walk.alike)])
     pieces = without_contained([*given, *found])
     left = [*walk.open, *search.unfinished]
