@@ -22,10 +22,10 @@ from screwkit.algebra.points import rank_at
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.case import Case, load_text
+from screwkit.kinematics.limb_parts import SideBySide
 from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.kinematics.told_parts import told_parts
-from screwkit.loci import loop_drop as loop_drops
-from screwkit.loci.dependence import Dependence
+from screwkit.loci.dependence import Dependence, dependent_zeros
 from screwkit.loci.local_codimension import codimension_around
 from screwkit.loci.loop_drop import loop_drop
 from screwkit.loci.rank_drop import extensors
@@ -111,7 +111,7 @@ def three_arms() -> tuple[list[list[Vector]], list[tuple[float, ...]]]:
     limbs = [told_parts(case, limb) for limb in case.limbs]
     systems = []
     for limb in limbs:
-        columns = [root.column(part) for part in limb]
+        columns = [root.column(p) for p in limb if not isinstance(p, SideBySide)]
         (chart,) = extensors(root, columns, 5, library)
         systems.append(spanning_wrenches(root, chart, height_of(limbs), 5, library))
     turns = (0, 2 * math.pi / 3, -2 * math.pi / 3)
@@ -215,11 +215,10 @@ def test_a_search_that_ends_on_a_part_does_not_list_it(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """It says instead how large the component is that it has not found."""
-    found = loop_drops.dependent_zeros
 
     def missing(branch: Branch, *others: Any, **options: Any) -> Dependence:
         """The zeros, each with one more condition."""
-        zeros = found(branch, *others, **options)
+        zeros = dependent_zeros(branch, *others, **options)
         parts = []
         for whole in zeros.branches:
             sines = (s for s in whole.ring.sines if whole.value(s) not in (0, 1, -1))
@@ -227,7 +226,7 @@ def test_a_search_that_ends_on_a_part_does_not_list_it(
             parts += restricted(whole, whole.value(free))
         return replace(zeros, branches=tuple(parts))
 
-    monkeypatch.setattr(loop_drops, "dependent_zeros", missing)
+    monkeypatch.setattr("screwkit.loci.loop_drop.dependent_zeros", missing)
     answer = sk.singularities(sk.load("dual_planar_arm")).constraint
     assert not answer.complete
     assert not answer.components
