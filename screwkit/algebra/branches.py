@@ -11,15 +11,14 @@ from __future__ import annotations
 import random
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
-
-from flint import fmpz
+from functools import cached_property
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.elimination import half_angle_steps, steps_of
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import (
     Point,
+    branch_primes,
     differential,
     random_point,
     residue,
@@ -289,23 +288,7 @@ class Branch:
 
 def random_branch_prime(source: random.Random) -> int:
     """One of the primes in which points of branches are drawn."""
-    return source.choice(_primes())
-
-
-@lru_cache(maxsize=1)
-def _primes() -> tuple[int, ...]:
-    """Primes of 61 bits to choose from; fixed, so that answers can be repeated.
-
-    All are 1 modulo 720720: small roots and the cosines of common angles exist.
-    """
-    step = 720720
-    found: list[int] = []
-    candidate = (2**61 // step) * step + 1
-    while len(found) < 64:
-        if fmpz(candidate).is_prime():
-            found.append(candidate)
-        candidate -= step
-    return tuple(found)
+    return source.choice(branch_primes())
 
 
 def restricted(

@@ -8,9 +8,9 @@ vanish at the same time.  Each gives substitutions that cover all real zeros.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 
 from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.constant_angles import constant_angle_steps
 from screwkit.algebra.remembered import remembered
 from screwkit.algebra.substitution import (
     Substitution,
@@ -35,7 +35,7 @@ def steps_of(
     """One substitution per sheet; empty without real zeros; None where not solved."""
     steps = _angle_steps(ring, condition)
     if steps is None:
-        steps = _constant_angle_steps(ring, condition)
+        steps = constant_angle_steps(ring, condition)
     if steps is None:
         steps = _symbol_steps(ring, assumptions, condition)
     return steps
@@ -118,33 +118,6 @@ def half_angle_solutions(
     return found
 
 
-def _constant_angle_steps(
-    ring: TrigonometricRing, condition: Polynomial
-) -> Steps | None:
-    """a·sin φ + b·cos φ + c = 0 in numbers: φ is an algebraic constant."""
-    for angle in range(len(ring.basis)):
-        parts = angle_parts(ring, condition, angle)
-        if parts is None or not all(part.is_constant() for part in parts):
-            continue
-        a, b, c = (as_fraction(part) for part in parts)
-        if c * c > a * a + b * b:
-            return []
-        sine, cosine = ring.sines[angle], ring.cosines[angle]
-        # Eliminate the one with a coefficient; the other satisfies a quadratic.
-        if a:
-            kept, gone = cosine, ring.sine_index(angle)
-            index, u, v = ring.cosine_index(angle), -b / a, -c / a
-        else:
-            kept, gone = sine, ring.cosine_index(angle)
-            index, u, v = ring.sine_index(angle), Fraction(0), -c / b
-        image = kept * ring.rational(u) + ring.rational(v)
-        relation = kept * kept + image * image - 1
-        lead = as_fraction(ring.one) + u * u
-        relation = relation * ring.rational(1 / lead)
-        return [Substitution(((gone, image),), ring.one, (index, 2, relation))]
-    return None
-
-
 def _symbol_steps(
     ring: TrigonometricRing, assumptions: Assumptions, condition: Polynomial
 ) -> Steps | None:
@@ -168,7 +141,7 @@ def _never_both(
     rest: Polynomial,
 ) -> bool:
     """Whether ``factor`` = 0 implies ``rest`` ≠ 0, by solving ``factor`` = 0."""
-    steps = _angle_steps(ring, factor) or _constant_angle_steps(ring, factor)
+    steps = _angle_steps(ring, factor) or constant_angle_steps(ring, factor)
     if steps is None:
         return False
     return all(

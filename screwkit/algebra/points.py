@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TypeAlias
 
 from flint import fmpz, nmod_mat, nmod_poly
@@ -167,3 +168,19 @@ def differential(
         turning = by(sine) * point[cosine] - by(cosine) * point[sine]
         row.append(turning % prime)
     return row + [by(index) for index in ring.symbol_indices()]
+
+
+@lru_cache(maxsize=1)
+def branch_primes() -> tuple[int, ...]:
+    """Primes of 61 bits to choose from; fixed, so that answers can be repeated.
+
+    All are 1 modulo 720720: small roots and the cosines of common angles exist.
+    """
+    step = 720720
+    found: list[int] = []
+    candidate = (2**61 // step) * step + 1
+    while len(found) < 64:
+        if fmpz(candidate).is_prime():
+            found.append(candidate)
+        candidate -= step
+    return tuple(found)

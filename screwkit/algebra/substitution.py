@@ -25,6 +25,7 @@ class Substitution:
         images: (index of a generator, its numerator).
         divisor: Common denominator of the images.
         relation: A further relation in one generator, (index, degree, polynomial).
+        field: Relations of the irrational constants in that one, in the same form.
         sheet: A polynomial that vanishes on this sheet of the solution and not on the
             other; None where there is one sheet only.
         condition: What was solved.
@@ -39,6 +40,7 @@ class Substitution:
     condition: Polynomial | None = None
     companions: tuple[Polynomial, ...] = ()
     partial: bool = False
+    field: tuple[tuple[int, int, Polynomial], ...] = ()
 
 
 def substituted(
@@ -69,8 +71,9 @@ def reduced(
     """
     found = list(values)
     for step in steps:
-        if step.relation is not None:
-            index, degree, relation = step.relation
+        if step.relation is None:
+            continue
+        for index, degree, relation in (step.relation, *step.field):
             found = [
                 divmod(v, relation)[1] if v != 0 and v.degrees()[index] >= degree else v
                 for v in found

@@ -24,17 +24,13 @@ def actuation_parts(
     written = partial(
         component_of, root=assembly.root(ring), library=assembly.library(ring)
     )
-
-    def words(piece: Piece) -> str | None:
-        return locus.meanings.each_of(piece) if locus.meanings else None
-
     held = [assembly.dimension - state.platform_freedom for state in locus.states]
     return tuple(
         (
             piece,
             written(
                 piece,
-                words=words,
+                words=locus.meanings.each_of if locus.meanings else None,
                 rank=rank,
                 wrench_dimension=rank,
                 platform_freedom=state.platform_freedom,

@@ -64,15 +64,16 @@ def graph_singularities(
         progress(f"limb {limb.name}", f"{len(limb.joints)} joints")
         limbs.append(_limb(graph.limbs[number], limb.name))
         finished(f"limb {limb.name}", limbs[-1])
-    progress("constraint", f"{len(graph.network.labels)} columns")
-    constraint = _constraint(graph)
-    finished("constraint", constraint)
     scheme = tuple(mechanism.actuated if actuated is None else actuated)
     actuation = None
     if scheme:
         free = len(graph.network.labels) - len(scheme)
         progress("actuation", f"{free} passive freedoms")
         actuation, _ = actuation_places(graph, scheme)
+        finished("actuation", actuation)
+    progress("constraint", f"{len(graph.network.labels)} columns")
+    constraint = _constraint(graph)
+    finished("constraint", constraint)
     return put_together(
         mechanism,
         (limbs, constraint, actuation),
@@ -190,9 +191,7 @@ def _component(
     state: GraphState,
     rank: int,
 ) -> Component:
-    def words(one: Piece) -> str | None:
-        return meanings.each_of(one) if meanings else None
-
+    words = meanings.each_of if meanings else None
     return graph_component(graph, piece, state, rank, words)
 
 

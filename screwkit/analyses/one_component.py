@@ -17,7 +17,7 @@ def component_of(
     piece: Piece,
     root: Branch,
     library: FactorLibrary,
-    words: Callable[[Piece], str | None],
+    words: Callable[[Piece], str | None] | None,
     *,
     rank: int,
     wrench_dimension: int,
@@ -31,15 +31,15 @@ def component_of(
             of their own.
         root: The whole configuration space.
         library: Factors met before.
-        words: What a piece means; None where no sentence is found.
+        words: What a piece means, if that is asked; None where no sentence is found.
         rank: That is lower there.
         wrench_dimension: Of the wrenches that hold the platform there.
         platform_freedom: Dimension of its twists.
         mobility: Of the whole mechanism.
     """
     simpler = reduced(piece, root, library)
-    geometry = words(piece)
-    if geometry is None and simpler is not piece:
+    geometry = words(piece) if words else None
+    if words and geometry is None and simpler is not piece:
         geometry = words(simpler)
     return Component(
         equations=equations_of(simpler),
@@ -73,10 +73,11 @@ def limb_component(
         rank: Of its twists there.
         dimension: Coordinates of a twist that count.
     """
-
-    def words(one: Piece) -> str | None:
-        return meanings.of_limb(one) if meanings else None
-
     return component_of(
-        piece, root, library, words, rank=rank, wrench_dimension=dimension - rank
+        piece,
+        root,
+        library,
+        meanings.of_limb if meanings else None,
+        rank=rank,
+        wrench_dimension=dimension - rank,
     )

@@ -49,6 +49,7 @@ from screwkit.loci.pieces import Piece, pieces_of, told_apart
 from screwkit.loci.rank_drop import RankDrop, generic_rank
 from screwkit.loci.searching_again import searched_again
 from screwkit.loci.strata import in_ring
+from screwkit.loci.unhurried import Unhurried
 from screwkit.loci.wording import equations_of
 from screwkit.loci.wrench_sums import height_of
 from screwkit.progress import Progress, silent
@@ -61,6 +62,10 @@ from screwkit.results.singularities import (
     Singularities,
 )
 from screwkit.results.superbracket import Superbracket
+
+_UNFINISHED = (
+    "the search for more had not ended; the equations may hold at regular postures too"
+)
 
 
 def singularities(
@@ -87,14 +92,18 @@ def singularities(
         answer = hybrid_limb if limb.elements is not None else limb_singularities
         limbs.append(answer(assembly, limb))
         finished(f"limb {limb.name}", limbs[-1])
-    progress("constraint", f"{len(assembly.joints)} columns")
-    constraint = constraint_singularities(assembly)
-    finished("constraint", constraint)
     scheme = tuple(assembly.mechanism.actuated if actuated is None else actuated)
     actuation = None
     if scheme:
+        # Before the constraints, which take longer where arms have many strata.
         progress("actuation", f"{len(assembly.joints) - len(scheme)} passive joints")
         actuation = actuation_singularities(assembly, scheme)
+        finished("actuation", actuation)
+    progress("constraint", f"{len(assembly.joints)} columns")
+    constraint = constraint_singularities(
+        assembly, lambda part: finished("constraint", part)
+    )
+    finished("constraint", constraint)
     return put_together(
         assembly.mechanism,
         (limbs, constraint, actuation),
@@ -196,8 +205,16 @@ def _lies(inner: Piece, outer: Piece) -> bool:
     return bool(points) and all(outer.contains(*point) for point in points)
 
 
-def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
-    """Where the loop constraint matrix loses rank."""
+def constraint_singularities(
+    assembly: Assembly,
+    so_far: Callable[[ConstraintSingularities], None] = lambda part: None,
+) -> ConstraintSingularities:
+    """Where the loop constraint matrix loses rank.
+
+    Args:
+        assembly: The mechanism.
+        so_far: Given what is known each time that pieces were found.
+    """
     if len(assembly.limbs) < 2 and not assembly.has_blocks:
         return ConstraintSingularities(
             assembly.loop_rank, True, (), proof="there is no loop to constrain"
@@ -229,16 +246,34 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
         exact = _exact(root, told_apart(own, known), limbs, library)
         return replace(exact, narrowed=narrower(exact.pieces, own))
 
+    def described(
+        pieces: Sequence[Piece], names: Meanings | None
+    ) -> tuple[Component, ...]:
+        return tuple(
+            _constraint_component(
+                piece, root, library, names, state_on(piece, limbs), assembly.dimension
+            )
+            for piece in _in_order(pieces)
+        )
+
+    def early(pieces: Sequence[Piece], generic: LoopState) -> None:
+        components = described(with_sheets_together(pieces), None)
+        so_far(
+            ConstraintSingularities(generic.loop, False, components, reason=_UNFINISHED)
+        )
+
     found = searched_again(
-        lambda given: loop_drop(root, limbs, strata, Search(library), given=given),
+        lambda given: loop_drop(
+            root,
+            limbs,
+            strata,
+            Search(library),
+            given=given,
+            early=Unhurried(early),
+        ),
         exactly,
     )
-    components = tuple(
-        _constraint_component(
-            piece, root, library, meanings, state_on(piece, limbs), assembly.dimension
-        )
-        for piece in _in_order(found.exact.pieces)
-    )
+    components = described(found.exact.pieces, meanings)
     return ConstraintSingularities(
         generic_rank=found.last.generic.loop,
         complete=found.complete,
@@ -283,7 +318,7 @@ def _constraint_component(
     piece: Piece,
     root: Branch,
     library: FactorLibrary,
-    meanings: Meanings,
+    meanings: Meanings | None,
     state: LoopState,
     size: int,
 ) -> Component:
@@ -291,7 +326,7 @@ def _constraint_component(
         piece,
         root,
         library,
-        meanings.each_of,
+        meanings.each_of if meanings else None,
         rank=state.loop,
         wrench_dimension=size - state.platform_freedom,
         platform_freedom=state.platform_freedom,

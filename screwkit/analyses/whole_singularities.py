@@ -63,7 +63,7 @@ def graph_component(
     piece: Piece,
     state: GraphState,
     rank: int,
-    words: Callable[[Piece], str | None],
+    words: Callable[[Piece], str | None] | None,
 ) -> Component:
     """A component of a locus of the loop equations.
 
@@ -72,7 +72,7 @@ def graph_component(
         piece: Where it is.
         state: What moves there.
         rank: That is lower there.
-        words: What a piece means.
+        words: What a piece means, if that is asked.
     """
     return component_of(
         piece,

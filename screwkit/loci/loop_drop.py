@@ -18,11 +18,16 @@ from typing import TypeAlias
 
 from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.cases import possible_factors
+from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.points import rank_at
 from screwkit.algebra.search import Search, irreducible_parts
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.limb_parts import Parts, columns_of, motion_at
+from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.kinematics.loop_state import LoopState, state_of
 from screwkit.loci.dependence import dependent_zeros
+from screwkit.loci.features import listed
+from screwkit.loci.local_codimension import codimension_around
 from screwkit.loci.open_branches import undecided
 from screwkit.loci.pieces import (
     Piece,
@@ -36,6 +41,7 @@ from screwkit.loci.wrench_sums import height_of
 
 _EFFORT = 1_200  # case distinctions in all; long polynomials count more
 _BUDGET = 150  # case distinctions on one branch
+_TOGETHER = 120  # case distinctions to meet the equations of some strata
 
 
 Lost: TypeAlias = Callable[[LoopState, LoopState], bool]
@@ -51,6 +57,8 @@ class LoopDrop:
         searched: All pieces up to this codimension are among ``pieces`` or ``open``;
             None where there is no such limit.
         unsearched: Number of combinations of strata beyond that.
+        around: Codimensions of components that are not among ``pieces``, for a part of
+            each was found: the locus is smooth there, and larger.
     """
 
     generic: LoopState
@@ -58,6 +66,7 @@ class LoopDrop:
     open: tuple[Branch, ...]
     searched: int | None = None
     unsearched: int = 0
+    around: tuple[int, ...] = ()
 
     @property
     def complete(self) -> bool:
@@ -68,6 +77,11 @@ class LoopDrop:
     def reason(self) -> str:
         """Why it is not complete; empty where it is."""
         reasons = []
+        if self.around:
+            sizes = listed([*map(str, sorted(set(self.around)))])
+            reasons.append(
+                f"there are components of codimension {sizes} of which parts were found"
+            )
         if self.open:
             reasons.append(undecided(self.open))
         if self.searched is not None:
@@ -134,6 +148,7 @@ def loop_drop(
     search: Search,
     lost: Lost = rank_is_lost,
     given: Sequence[Piece] = (),
+    early: Callable[[Sequence[Piece], LoopState], None] = lambda pieces, generic: None,
 ) -> LoopDrop:
     """Every piece of ``root`` on which the loop constraint matrix loses rank.
 
@@ -146,6 +161,8 @@ def loop_drop(
         lost: What is looked for instead; it must hold wherever, on some combination of
             strata, the limbs' wrench systems together lose dimensions.
         given: Pieces that are known; they are among the pieces of the answer.
+        early: Given the pieces found so far, and the generic state, whenever the search
+            of a combination found some.
     """
     generic = loop_state(root, limbs)
     if generic is None:
@@ -162,34 +179,90 @@ def loop_drop(
             searched = sum(s.codimension for s in chosen) - 1
             unsearched = len(combinations) - position
             break
+        known = len(walk.found)
         _visit(root, chosen, walk)
+        if len(walk.found) > known:
+            early(walk.pieces, generic)
     found = pieces_of([*walk.found, *_other_sheets(walk.found, walk.alike)])
-    pieces = without_contained([*given, *found])
+    pieces, parts = _told_from_parts(without_contained([*given, *found]), walk)
     left = [*walk.open, *search.unfinished]
     undecided = [*left, *_other_sheets(left, walk.alike)]
     if not all(limb.complete for limb in strata):
         undecided.append(root)
+    undecided += [branch for part, _ in parts for branch in part.branches]
     open_left = tuple(
         branch
         for branch in undecided
         if not any(surely_in(branch, piece) for piece in pieces)
     )
-    return LoopDrop(generic, tuple(pieces), open_left, searched, unsearched)
+    around = tuple(size for _, size in parts)
+    return LoopDrop(generic, tuple(pieces), open_left, searched, unsearched, around)
+
+
+def _told_from_parts(
+    pieces: Sequence[Piece], walk: _Walk
+) -> tuple[list[Piece], list[tuple[Piece, int]]]:
+    """Pieces, and those that are parts of larger ones, with the codimension of these.
+
+    Larger ones are among the pieces where these are all; else the search has not found
+    them, and what was taken for a component is none.
+    """
+    if walk.lost is not rank_is_lost:
+        return list(pieces), []
+    columns = loop_columns(walk.limbs, walk.height)
+    kept: list[Piece] = []
+    parts: list[tuple[Piece, int]] = []
+    for piece in pieces:
+        size = _size_around(piece, columns, walk)
+        if size is not None and size < piece.codimension:
+            parts.append((piece, size))
+        else:
+            kept.append(piece)
+    return kept, parts
+
+
+def _size_around(
+    piece: Piece, columns: Sequence[Sequence[Polynomial]], walk: _Walk
+) -> int | None:
+    """Codimension of the locus around a piece, where it is known."""
+    branch = piece.branches[0]
+    for at in branch.points:
+        if rank_at(columns, *at) == walk.generic.loop - 1:
+            return codimension_around(branch.ring, columns, piece.codimension, at)
+    return None
 
 
 def _visit(root: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
     if not _can_depend(chosen, walk):
         return
-    branches = [root]
-    for stratum in chosen:
-        for equation in stratum.equations:
-            branches = [b for a in branches for b in imposed(a, equation, walk.search)]
-    for branch in branches:
+    for branch in _branches_where(root, chosen, walk.search):
         # Where a divisor or the length of an axis is zero there is nothing to look at.
         if any(divisor == 0 for divisor in branch.divisors):
             continue
         if not branch.is_special and not walk.known(branch):
             _examine(branch, chosen, walk)
+
+
+def _branches_where(
+    root: Branch, chosen: Sequence[Stratum], search: Search
+) -> Sequence[Branch]:
+    """Where all equations of some strata hold.
+
+    Equations of one stratum may follow from others: imposed one after the other they
+    leave branches without points, and all are taken apart together.
+    """
+    branches: Sequence[Branch] = [root]
+    for stratum in chosen:
+        for equation in stratum.equations:
+            branches = [b for a in branches for b in imposed(a, equation, search)]
+    if all(len(b.pending) < 2 or b.points for b in branches):
+        return branches
+    equations = [equation for stratum in chosen for equation in stratum.equations]
+    own = Search(search.library, budget=_TOGETHER, every_part=True)
+    zeros = common_zeros(root, equations, own)
+    if not zeros.complete or not all(b.points for b in zeros.branches):
+        return branches
+    return [*zeros.branches, *zeros.special]
 
 
 def _can_depend(chosen: Sequence[Stratum], walk: _Walk) -> bool:

@@ -81,10 +81,10 @@ def reciprocal_meets(
     joins = _joined_wrenches(branch, extensors, None, height)
     if joins is not None:
         found.append([*joins.values()])
-    return min(found, key=_size)
+    return min(found, key=how_long)
 
 
-def _size(polynomials: Sequence[Polynomial]) -> tuple[int, int]:
+def how_long(polynomials: Sequence[Polynomial]) -> tuple[int, int]:
     """How many generators they contain, and how many terms they have."""
     degrees = [polynomial.degrees() for polynomial in polynomials]
     places = range(len(degrees[0]) if degrees else 0)

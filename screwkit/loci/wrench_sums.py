@@ -42,7 +42,8 @@ from screwkit.kinematics.limb_parts import (
 from screwkit.loci.limb_systems import UnclearError, limb_system
 from screwkit.loci.predicted_size import predicted_terms
 from screwkit.loci.rank_drop import extensors
-from screwkit.loci.reciprocal_meets import reciprocal_meets
+from screwkit.loci.reciprocal_meets import how_long, reciprocal_meets
+from screwkit.loci.standing_screws import standing_minors
 from screwkit.loci.wrench_vectors import Vector, overlap_minors, spanning_wrenches
 
 Extensor: TypeAlias = Mapping[int, Polynomial]
@@ -199,8 +200,22 @@ def telling_minors(
             return minors
     elif within and not any(map(has_loops, limbs)):
         meets = reciprocal_meets(branch, _twists(branch, limbs), first, height)
-        if any(residue(value, point, prime) for value in meets):
-            return meets
+        systems = [
+            spanning_wrenches(branch, chart, height, len(twists), search.library)
+            for chart, twists in zip(first, at_point, strict=True)
+            if len(twists) < height
+        ]
+        limits = (PRODUCTS, LONGEST)
+        standing = standing_minors(
+            branch, systems, (point, prime), limits, search.library
+        )
+        told = [
+            minors
+            for minors in (meets, standing)
+            if any(residue(value, point, prime) for value in minors)
+        ]
+        if told:
+            return min(told, key=how_long)
     polynomials: list[Polynomial] = []
     refused: list[TooLargeError] = []
     for chosen, one in islice(product(product(*charts), units[:TOGETHER]), MOST):

@@ -61,14 +61,21 @@ def spanning_wrenches(
             if minor is not None:
                 vector[row] = -minor if place % 2 else minor
         if not branch.vanishes(vector):
-            kept = _shortened(branch, vector, library)
+            kept = shortened_vector(branch, vector, library)
             found.setdefault(str(kept), kept)
     return sorted(found.values(), key=_size)
 
 
-def _shortened(
+def shortened_vector(
     branch: Branch, vector: Sequence[Polynomial], library: FactorLibrary | None
 ) -> Vector:
+    """A vector without what vanishes nowhere, and without common factors.
+
+    Args:
+        branch: Where it is taken.
+        vector: Not zero.
+        library: Of the branch's ring; factors met before.
+    """
     values = without_nowhere_zero(branch.ring, vector, branch.divisors)
     shorter = without_common_factors(branch.ring, values, library)
     scale = content(next(value for value in shorter if value != 0))

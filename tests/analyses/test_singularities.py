@@ -19,6 +19,7 @@ from screwkit.algebra.parse import parse
 from screwkit.algebra.search import Search
 from screwkit.analyses.singularities import limb_singularities
 from screwkit.loci.loop_drop import loop_state
+from screwkit.results.singularities import ConstraintSingularities
 
 RIGHT, LEFT = 0, 1
 
@@ -279,14 +280,29 @@ def passive_at(at: Posture) -> list[np.ndarray]:
 
 
 def test_parts_are_given_as_soon_as_they_are_there() -> None:
-    """What is known when time runs out: limbs one by one, then constraints."""
+    """What is known when time runs out: limbs one by one, actuation, constraints.
+
+    The constraints are told while they are searched, and called incomplete till then.
+    """
     parts: list[tuple[str, object]] = []
     answer = sk.singularities(
-        sk.load("five_bar_15"), finished=lambda name, part: parts.append((name, part))
+        sk.load("sarrus"), finished=lambda name, part: parts.append((name, part))
     )
     names = [f"limb {limb.limb}" for limb in answer.limb]
-    assert [name for name, _ in parts] == [*names, "constraint"]
-    assert [part for _, part in parts] == [*answer.limb, answer.constraint]
+    told = [name for name, _ in parts]
+    count = len(names)
+    assert told[: count + 1] == [*names, "actuation"]
+    assert set(told[count + 1 :]) == {"constraint"}
+    assert [part for _, part in parts[: count + 1]] == [*answer.limb, answer.actuation]
+    assert parts[-1] == ("constraint", answer.constraint)
+    assert len(parts) > count + 2
+    for _, early in parts[count + 1 : -1]:
+        assert isinstance(early, ConstraintSingularities)
+        assert early.components
+        assert not early.complete
+        assert "the search for more had not ended" in early.reason
+        known = {c.equations for c in answer.constraint.components}
+        assert {c.equations for c in early.components} <= known
 
 
 def test_an_equation_whose_factors_are_not_certified_is_assumed_not_to_split() -> None:
