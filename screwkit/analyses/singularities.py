@@ -86,17 +86,31 @@ def singularities(
         answer = hybrid_limb if limb.elements is not None else limb_singularities
         limbs.append(answer(assembly, limb))
         finished(f"limb {limb.name}", limbs[-1])
-    progress("constraint", f"{len(assembly.joints)} columns")
-    constraint = constraint_singularities(assembly)
-    finished("constraint", constraint)
     scheme = tuple(assembly.mechanism.actuated if actuated is None else actuated)
-    actuation = None
-    if scheme:
+
+    def constraint() -> ConstraintSingularities:
+        progress("constraint", f"{len(assembly.joints)} columns")
+        part = constraint_singularities(assembly)
+        finished("constraint", part)
+        return part
+
+    def actuation() -> ActuationSingularities | None:
+        if not scheme:
+            return None
         progress("actuation", f"{len(assembly.joints) - len(scheme)} passive joints")
-        actuation = actuation_singularities(assembly, scheme)
+        part = actuation_singularities(assembly, scheme)
+        finished("actuation", part)
+        return part
+
+    # Limbs that constrain nothing in general do so where several are singular at once:
+    # deep, and long to search. What all want to know comes first.
+    if all(limb.generic_rank == assembly.dimension for limb in limbs):
+        moving, constrained = actuation(), constraint()
+    else:
+        constrained, moving = constraint(), actuation()
     return put_together(
         assembly.mechanism,
-        (limbs, constraint, actuation),
+        (limbs, constrained, moving),
         assembly.assumptions,
         assembly.libraries,
     )
