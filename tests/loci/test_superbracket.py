@@ -190,6 +190,12 @@ def test_nothing_is_claimed_where_no_form_is_known(name: str) -> None:
     assert found is None or (not found.factors and found.reason)
 
 
+def test_limbs_with_loops_inside_have_more_wrenches_than_their_joints() -> None:
+    """What their loops forbid is reciprocal to no joint alone: six lines say less."""
+    case = sk.load("orthoglide")
+    assert six_lines(case.assembly, ["P1", "P2", "P3"]) == "limb limb1 has loops inside"
+
+
 def numbers(name: str, seed: int) -> dict[str, float]:
     source = np.random.default_rng(seed)
     mechanism = sk.load(name).mechanism
