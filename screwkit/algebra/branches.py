@@ -116,15 +116,15 @@ class Branch:
         ]
         return (*found, *self.extra)
 
-    @property
-    def divisors(self) -> list[Polynomial]:
+    @cached_property
+    def divisors(self) -> tuple[Polynomial, ...]:
         """What the steps divided by, and what is zero nowhere anyway."""
         found = list(self.nonvanishing)
         for step in self.steps:
             found = substituted(self.ring, found, step) if found else []
             if not step.divisor.is_constant():
                 found.append(step.divisor)
-        return found
+        return tuple(found)
 
     @cached_property
     def is_special(self) -> bool:

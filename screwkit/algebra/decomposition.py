@@ -107,7 +107,7 @@ def _descend(
     polynomials = branch.without_roots(polynomials)
     left = still_open(branch, polynomials, search)
     if left is None:
-        if is_excluded(branch, nonzero):
+        if is_excluded(branch, nonzero) or loses_a_direction(branch):
             return
         if not _eliminated(branch, polynomials, nonzero, search):
             search.unfinished.append(branch)

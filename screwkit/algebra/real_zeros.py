@@ -73,6 +73,7 @@ def _touching(
             if written.coeffs()[0] > 0 and shape.coeffs()[0] > 0:
                 root = root_of_square(shape)
                 if root is not None:
+                    root = ring.normal(root)
                     number = _is_number(ring, root)
                     return [ring.one] if number else [root, polynomial]
     return None

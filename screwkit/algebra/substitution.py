@@ -112,8 +112,17 @@ def _fraction_free(
     if value == 0:
         return value
     indices = [index for index, _ in step.images]
-    if value.is_constant() or not any(value.degrees()[i] for i in indices):
+    if value.is_constant():
         return value * step.divisor**power
+    degrees = value.degrees()
+    occurring = [k for k, i in enumerate(indices) if degrees[i]]
+    if not occurring:
+        return value * step.divisor**power
+    if all(degrees[indices[k]] == 1 for k in occurring):
+        linear = _linear(value, step, occurring)
+        if linear is not None:
+            above, rest = linear
+            return (above + rest * step.divisor) * step.divisor ** (power - 1)
     parts: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
     for exponents, coefficient in value.to_dict().items():
         rest = tuple(0 if i in indices else e for i, e in enumerate(exponents))
@@ -126,6 +135,27 @@ def _fraction_free(
             term = term * image**exponent
         total += term
     return total
+
+
+def _linear(
+    value: Polynomial, step: Substitution, occurring: Sequence[int]
+) -> tuple[Polynomial, Polynomial] | None:
+    """What replaced generators bring in, and the rest; None where two are multiplied.
+
+    By derivatives: no monomial is looked at one by one.
+    """
+    above, rest = None, value
+    gens = value.context().gens()
+    indices = [index for index, _ in step.images]
+    for k in occurring:
+        index, image = step.images[k]
+        factor = value.derivative(index)
+        if any(factor.degrees()[i] for i in indices):
+            return None
+        rest -= factor * gens[index]
+        term = factor * image
+        above = term if above is None else above + term
+    return above, rest
 
 
 def angle_parts(

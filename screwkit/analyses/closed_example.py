@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from math import pi
 
 from screwkit.algebra.expression import Expression
+from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.parse import parse
 from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import equation_text
@@ -47,7 +48,7 @@ def closed_example(
     given = numbers_of({n: x for n, x in values.items() if n in met})
     joints = [v for v in mechanism.joint_variables if v in met and v not in given]
     written: list[Expression] = [
-        parse(equation_text(ring, equation))
+        parse(equation_text(ring, equation), limits=RESULT_LIMITS)
         for equation in (*equations, *graph.closing)
     ]
     reach = {name: pi if name in angles else 1.0 for name in joints}

@@ -18,6 +18,7 @@ from screwkit.analyses.actuation_parts import actuation_parts
 from screwkit.analyses.hybrid_limbs import hybrid_limb, strata_of
 from screwkit.analyses.one_component import component_of, limb_component
 from screwkit.analyses.superbracket import superbracket
+from screwkit.analyses.unexpanded import six_lines_in_words
 from screwkit.analyses.whole_singularities import put_together
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.limb_parts import Parts
@@ -345,6 +346,11 @@ def actuation_singularities(
     bracket = None
     if locus.admissible:
         bracket = superbracket(assembly, actuated, [piece for piece, _ in moving])
+    reason = locus.reason
+    if bracket is not None and not locus.complete and not locus.pieces:
+        reason = "; ".join(
+            filter(None, [reason, six_lines_in_words(assembly, actuated)])
+        )
     return ActuationSingularities(
         actuated=tuple(actuated),
         admissible=locus.admissible,
@@ -356,7 +362,7 @@ def actuation_singularities(
         ),
         idle=tuple(c for _, c in parts if not c.platform_freedom),
         witness=locus.witness,
-        reason=locus.reason,
+        reason=reason,
         superbracket=bracket,
     )
 

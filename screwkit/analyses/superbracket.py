@@ -48,6 +48,8 @@ def superbracket(
     if isinstance(found, str):
         return None
     monomials = shortest_monomials(found.lines, found.always_in_a_plane)
+    if not monomials:  # lines of one limb that other limbs have too
+        return None
     ideal = [point.ideal for point in found.points]
     forms = product_of(monomials, found.lines, ideal, found.samples)
     factors = () if forms is None else tuple(dict.fromkeys(forms))

@@ -43,6 +43,7 @@ _SHORT = 2  # terms of a proviso
 
 ExactPoint = tuple[Sequence[int], int]
 Column = tuple[Polynomial, ...]
+NamedPoint = tuple[str, Vector[Polynomial]]
 
 
 @dataclass(frozen=True)
@@ -75,8 +76,18 @@ class Figures:
         root: Branch,
         library: FactorLibrary,
         screws: Callable[[], Sequence[NamedScrew]],
+        held: Callable[[], Sequence[NamedPoint]] = tuple,
     ) -> None:
-        """Nothing is computed before the first piece is asked about."""
+        """Nothing is computed before the first piece is asked about.
+
+        Args:
+            framed: Twists of the joints.
+            root: All postures.
+            library: Known factors.
+            screws: What may become dependent.
+            held: Points through which all forces are there beside these screws.
+        """
+        self._held = held
         self._framed = framed
         self._root = root
         self._library = library
@@ -144,9 +155,9 @@ class Figures:
             )
 
     @cached_property
-    def _centres(self) -> list[tuple[str, Vector[Polynomial]]]:
+    def _centres(self) -> list[NamedPoint]:
         """Points through which three independent lines pass for every posture."""
-        found = []
+        found = [*self._held()]
         for place in features_of(self._framed).points:
             point, prime = self._root.points[0]
             through = [
@@ -158,7 +169,8 @@ class Figures:
                     x % prime for x in self._moment(row, place.position, point, prime)
                 )
             ]
-            if len(through) > 2 and rank(through, prime) == 3:
+            known = any(name == place.name for name, _ in found)
+            if not known and len(through) > 2 and rank(through, prime) == 3:
                 found.append((place.name, place.position))
         return found
 

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factors import FactorLibrary
+from screwkit.algebra.points import residue
+from screwkit.algebra.trigonometric import Polynomial
+from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.loci.figures import Figures
 from screwkit.loci.named_screws import NamedScrew, joint_screws, wrench_screws
+from screwkit.loci.placed_features import features_of
+from screwkit.loci.placed_points import placed_at, placed_points, sample_points
+from screwkit.screw.vector import Vector, cross
 
 
 def axes_of(
@@ -36,5 +42,60 @@ def figures_of(
     framed = assembly.common_twists
     given = framed, assembly.root(framed.ring), assembly.library(framed.ring)
     (axes,) = axes_of(*given, locked)
-    wrenches = Figures(*given, lambda: wrench_screws(assembly, locked))
+    wrenches = Figures(
+        *given,
+        lambda: wrench_screws(assembly, locked),
+        lambda: held_points(assembly, locked),
+    )
     return (axes, wrenches) if len(assembly.limbs) < 3 else (wrenches, axes)
+
+
+def held_points(
+    assembly: Assembly, locked: Collection[str]
+) -> list[tuple[str, Vector[Polynomial]]]:
+    """Points of the platform that one limb alone keeps where they are.
+
+    All axes of that limb that are not locked pass through the point, so that its
+    wrenches are all forces through it, whatever lines there are to name them.
+
+    Args:
+        assembly: The mechanism.
+        locked: Actuated joints.
+    """
+    framed = assembly.common_twists
+    samples = sample_points(assembly.root(framed.ring))
+    if not samples:
+        return []
+    at, prime = samples[0]
+
+    def stays(label: str, place: Sequence[int]) -> bool:
+        turn, velocity = (
+            [residue(v, at, prime) for v in framed.column(label)[part]]
+            for part in (DIRECTION, MOMENT)
+        )
+        x, y, z = place
+        across = cross((turn[0], turn[1], turn[2]), (x, y, z))
+        return not any((v + w) % prime for v, w in zip(velocity, across, strict=True))
+
+    free = [
+        [label for label in limb.joints if label not in locked]
+        for limb in assembly.limbs
+        if limb.elements is None
+    ]
+    found = []
+    for point in features_of(framed).points:
+        place = [residue(v, at, prime) for v in point.position]
+        if any(own and all(stays(j, place) for j in own) for own in free):
+            found.append((place, point))
+    if not found:
+        return []
+    named, _ = placed_points(assembly, samples)
+    written = {
+        tuple(x * pow(w, -1, prime) % prime for x in (a, b, c)): point.name
+        for point, (a, b, c, w) in zip(named, placed_at(named, at, prime), strict=True)
+        if point.written and w
+    }
+    return [
+        (written.get(tuple(place), point.name), point.position)
+        for place, point in found
+    ]

@@ -63,6 +63,10 @@ def six_lines(assembly: Assembly, actuated: Collection[str]) -> SixLines | str:
     placed = [Sample(placed_at(points, at, prime), prime) for at, prime in samples]
     chosen: list[Line] = []
     for number, limb in enumerate(assembly.limbs):
+        if (
+            limb.elements is not None
+        ):  # what its loops forbid is no wrench of the joints
+            return f"limb {limb.name} has loops inside"
         passive = [framed.column(j) for j in limb.joints if j not in actuated]
         own = [i for i, owner in enumerate(owners) if number in owner]
         lines, wanted = reciprocal_lines(passive, own, points, samples)

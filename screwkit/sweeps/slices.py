@@ -17,6 +17,7 @@ import numpy as np
 from screwkit.algebra.batch import Array, BatchRing
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.expression import Expression, Symbol
+from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.parse import parse
 from screwkit.algebra.text import expression_text
 from screwkit.errors import ExpressionError, UndecidedError
@@ -151,8 +152,9 @@ def _curve(component: Component, parts: tuple[str, ...], slicing: Slicing) -> Cu
         note = "several equations: isolated points, or none that is real"
         return Curve(replace(shown, note=note), ())
     one, two = slicing.axes
-    expression = parse(component.equations[0], (one.name, two.name))
-    function = partial(_values, expression, (one.name, two.name))
+    names = one.name, two.name
+    expression = parse(component.equations[0], names, limits=RESULT_LIMITS)
+    function = partial(_values, expression, names)
     segments = zero_lines(function, one.values, two.values)
     note = "" if segments else "it does not change its sign on the grid"
     return Curve(replace(shown, segments=len(segments), note=note), segments)

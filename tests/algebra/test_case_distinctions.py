@@ -19,7 +19,7 @@ from screwkit.algebra.search import Decomposition, Search, refined
 from screwkit.algebra.splitting import split
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.taken_apart import taken_apart
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
 POSITIVE = Assumptions(frozenset({"a", "b"}))
 
@@ -179,6 +179,33 @@ def test_a_square_and_lengths_are_never_zero() -> None:
 def test_differences_of_squares_and_products_are_left(text: str) -> None:
     ring, (polynomial,) = polynomials(text)
     assert vanishing_together(ring, POSITIVE, polynomial) is None
+
+
+def test_roots_of_squares_are_in_normal_form() -> None:
+    """The angle p is real only where (1 + t²)² ≤ (1 − t²)², which is where t = 0."""
+    t = "(x*sin(q)^2 - sin(q)*cos(q))"
+    text = f"({t}^2 - 1)*sin(p) + {t}^2 + 1"
+    ring, (polynomial, root) = polynomials(text, t)
+    found = vanishing_together(ring, Assumptions(), polynomial)
+    assert found is not None
+    assert [primitive(p) for p in found] == [primitive(root), primitive(polynomial)]
+
+
+def test_an_axis_is_zero_on_no_branch_whether_points_are_found_or_not() -> None:
+    """A turned (−1, 1, 2) never is (−1, 3, −2): a leg between the two has a length."""
+    spins = {  # of Rz(a) Ry(b) Rx(c), by rows
+        "x": "-cos(a)*cos(b) + cos(a)*sin(b)*sin(c) - sin(a)*cos(c)"
+        " + 2*cos(a)*sin(b)*cos(c) + 2*sin(a)*sin(c)",
+        "y": "-sin(a)*cos(b) + sin(a)*sin(b)*sin(c) + cos(a)*cos(c)"
+        " + 2*sin(a)*sin(b)*cos(c) - 2*cos(a)*sin(c)",
+        "z": "sin(b) + cos(b)*sin(c) + 2*cos(b)*cos(c)",
+    }
+    texts = [f"{spins['x']} + 1", f"{spins['y']} - 3", f"{spins['z']} + 2"]
+    ring, leg = polynomials(*texts)
+    root = Branch(ring, Assumptions(), directions=(tuple(leg),))
+    zeros = common_zeros(root, leg, Search(FactorLibrary(ring)))
+    assert zeros.complete
+    assert not zeros.branches
 
 
 def test_a_root_vanishes_where_its_radicand_does() -> None:

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from screwkit.algebra.constants import ConstantField
+from screwkit.algebra.degree_along import degree_along
 from screwkit.algebra.evaluation import cosine_sine, evaluate
 from screwkit.algebra.expression import Number
 from screwkit.algebra.modular import (
@@ -186,3 +187,15 @@ def test_rank_annihilator_and_echelon_go_together(
     assert pivots(residue_matrix(residues, 5, prime)) == [
         k for k in range(5) if leading[k + 1] > leading[k]
     ]
+
+
+def test_a_degree_is_told_from_values() -> None:
+    """(t² + 1)² (t³ − 2), without t² + 1 and with it; of eight values seven tell it."""
+    places = range(12)
+    values = [(t * t + 1) ** 2 * (t**3 - 2) for t in places]
+    below = [t * t + 1 for t in places]
+    prime = 10**9 + 7
+    assert degree_along(values, [below], prime) == 3
+    assert degree_along(values, [], prime) == 7
+    assert degree_along(values[:8], [], prime) is None
+    assert degree_along([0] * 5, [], prime) is None

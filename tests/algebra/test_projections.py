@@ -8,7 +8,7 @@ from fractions import Fraction
 import pytest
 
 from screwkit.algebra.projections import projection
-from screwkit.algebra.substitution import substituted
+from screwkit.algebra.substitution import Substitution, power_of, substituted
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
@@ -89,3 +89,26 @@ def test_dimensions_stay() -> None:
     condition = RING.normal(X * S - A * C)
     assert projection(RING, condition, KEPT) is None
     assert projection(RING, condition) is not None
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        X * Y * Z - A,  # linear in one of the two that are replaced
+        X * A + Y * Z + C,  # in both, and not in their product
+        X * Y + S,
+        X**2 * S - Y + 1,
+    ],
+)
+def test_what_is_put_in_is_the_quotient(value: Polynomial) -> None:
+    """At rational places, with x = (z + 1)/(a + z) and y = 3 a/(a + z)."""
+    places = {str(g): k for k, g in enumerate(RING.context.gens())}
+    x, y = places[str(X)], places[str(Y)]
+    step = Substitution(images=((x, Z + 1), (y, 3 * A)), divisor=A + Z)
+    (replaced,) = substituted(RING, [value], step)
+    power = power_of([value], step)
+    values = [Fraction(k + 2, 7) for k in range(len(places))]
+    values[places[str(S)]], values[places[str(C)]] = Fraction(3, 5), Fraction(4, 5)
+    put_in = list(values)
+    put_in[x], put_in[y] = (at(p, values) / at(A + Z, values) for p in (Z + 1, 3 * A))
+    assert at(replaced, values) == at(value, put_in) * at(A + Z, values) ** power

@@ -14,6 +14,7 @@ from loci.numeric import Array, value
 import screwkit as sk
 from screwkit.algebra.points import residue
 from screwkit.algebra.text import expression_text
+from screwkit.analyses.unexpanded import six_lines_in_words
 from screwkit.loci.bracket_forms import Form, Sample, product_of
 from screwkit.loci.brackets import bracket, monomials_of, plane, shortest_monomials
 from screwkit.loci.placed_points import wrench_through
@@ -188,6 +189,23 @@ def test_a_factor_that_says_more_is_told_from_one_that_says_it_all() -> None:
 def test_nothing_is_claimed_where_no_form_is_known(name: str) -> None:
     _, found = answered(name)
     assert found is None or (not found.factors and found.reason)
+
+
+def test_what_is_known_of_a_determinant_that_is_not_written() -> None:
+    """A cubic in the position for any six struts [MayerStOngeGosselin2000]."""
+    case = sk.load("gough_6ups")
+    told = six_lines_in_words(case.assembly, case.mechanism.actuated)
+    assert told == (
+        "while limbs keep their ranks the platform moves only where lines A1 B1, "
+        "A2 B2, A3 B3, A4 B4, A5 B5 and A6 B6 are lines of one linear complex: a "
+        "determinant of degree 3 in x, y and z"
+    )
+
+
+def test_limbs_with_loops_inside_have_more_wrenches_than_their_joints() -> None:
+    """What their loops forbid is reciprocal to no joint alone: six lines say less."""
+    case = sk.load("orthoglide")
+    assert six_lines(case.assembly, ["P1", "P2", "P3"]) == "limb limb1 has loops inside"
 
 
 def numbers(name: str, seed: int) -> dict[str, float]:

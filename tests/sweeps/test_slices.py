@@ -185,6 +185,10 @@ def test_what_has_no_curve_is_said(tmp_path: Path) -> None:
     last = curves_of(other, slicing)[-1]
     assert last.segments == ()
     assert last.component.note == "it does not change its sign on the grid"
+    long = Component((" + ".join(["x2"] * 1_000) + " - 500",), 1, (), 2)
+    other = replace(answer, actuation=replace(answer.actuation, components=(long,)))
+    last = curves_of(other, slicing)[-1]
+    assert np.allclose(np.asarray(last.segments)[..., 0], 1 / 2)
 
 
 def test_open_loci_and_slices_that_are_singular_throughout_are_marked() -> None:
