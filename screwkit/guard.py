@@ -32,6 +32,11 @@ _START: Final = (
     "from screwkit.worker import main; main()"
 )
 
+_ENVIRONMENT: Final = {
+    "OPENBLAS_NUM_THREADS": "1",  # small matrices only
+    "PYDANTIC_DISABLE_PLUGINS": "1",  # none is wanted; to look for them takes time
+}
+
 
 @dataclass(frozen=True)
 class Stage:
@@ -104,7 +109,7 @@ class _Child:
             stdout=subprocess.PIPE,
             stderr=errors,
             start_new_session=True,
-            env={"OPENBLAS_NUM_THREADS": "1", **os.environ},  # small matrices only
+            env={**_ENVIRONMENT, **os.environ},
         )
         with contextlib.suppress(BrokenPipeError):
             assert self.process.stdin is not None
@@ -152,7 +157,11 @@ class _Child:
 
 
 def run(
-    job: Job, *, timeout: float | None = None, watch: Watcher | None = None
+    job: Job,
+    *,
+    timeout: float | None = None,
+    watch: Watcher | None = None,
+    meanwhile: Callable[[], None] | None = None,
 ) -> Outcome:
     """Run a job to its end, its deadline or a signal.
 
@@ -160,11 +169,14 @@ def run(
         job: What to compute.
         timeout: Seconds; None for none.
         watch: Called about ten times a second with the current stage.
+        meanwhile: Called once, while the child starts; must be short.
     """
     with tempfile.TemporaryFile() as errors, _signals_raise():
         child: _Child | None = None
         try:
             child = _Child(job, errors)
+            if meanwhile is not None:
+                meanwhile()
             return _followed(child, errors, timeout, watch, job.memory)
         except KeyboardInterrupt:
             if child is None:

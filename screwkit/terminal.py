@@ -49,7 +49,9 @@ def ask(request: Request) -> int:
     """Have the job done, show what came of it, return the exit code."""
     watch = None if request.quiet else Ticker()
     try:
-        outcome = run(request.job, timeout=request.timeout, watch=watch)
+        outcome = run(
+            request.job, timeout=request.timeout, watch=watch, meanwhile=_prepare
+        )
     finally:
         if watch is not None:
             watch.close()
@@ -70,6 +72,13 @@ def ask(request: Request) -> int:
             return errors.EXIT_INTERRUPTED
         case _:
             assert_never(outcome)
+
+
+def _prepare() -> None:
+    """Load what shows answers, while the child loads what finds them."""
+    import screwkit.reports.records  # noqa: PLC0415
+    import screwkit.reports.sections  # noqa: PLC0415
+    import screwkit.reports.text  # noqa: F401, PLC0415
 
 
 def _where(stage: Stage) -> str:

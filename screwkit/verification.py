@@ -4,20 +4,22 @@ from __future__ import annotations
 
 import secrets
 from collections.abc import Collection, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from screwkit.errors import MechanismFileError, ScrewkitError, UndecidedError
 from screwkit.progress import Progress, silent
-from screwkit.results.schemes import Schemes
-from screwkit.results.singularities import Singularities
 from screwkit.results.verification import Verification, VerifiedPart
 
 if TYPE_CHECKING:
     from screwkit.case import Case
     from screwkit.certificates.findings import Findings
     from screwkit.certificates.records import Certificate, Node, Source
+    from screwkit.mechanism.model import Mechanism
+    from screwkit.results.schemes import Schemes
+    from screwkit.results.singularities import Singularities
 
 
 class CertificateError(ScrewkitError):
@@ -134,7 +136,7 @@ def verify(
         MechanismFileError: If the mechanism that it carries, or ``case``, is wrong.
     """
     from screwkit.analyses.assumed import assumptions_in_words  # noqa: PLC0415
-    from screwkit.case import load, load_text  # noqa: PLC0415
+    from screwkit.case import load_text  # noqa: PLC0415
     from screwkit.certificates.checking import check  # noqa: PLC0415
     from screwkit.certificates.missing_parts import missing_from  # noqa: PLC0415
     from screwkit.certificates.texts import RefusedError  # noqa: PLC0415
@@ -150,7 +152,7 @@ def verify(
     except (MechanismFileError, ScrewkitError) as error:
         reason = f"the mechanism in it cannot be read: {error}"
         return Verification(document.case, "", False, (), reason)
-    if case is not None and load(case, **changes).mechanism != carried:
+    if case is not None and not _is_about(document.mechanism, carried, case):
         reason = f"it is about another mechanism than {case}"
         return Verification(document.case, carried.title, False, (), reason)
     progress("checking", f"{len(document.parts)} parts")
@@ -170,6 +172,25 @@ def verify(
         schemes=0 if schemes is None else len(schemes.schemes),
         admissible=sum(own.freedom == 0 for own in schemes.schemes) if schemes else 0,
     )
+
+
+def _is_about(source: Source, carried: Mechanism, case: str) -> bool:
+    """Whether a mechanism file says what a certificate's mechanism says.
+
+    The same text is not read twice.
+
+    Raises:
+        MechanismFileError: If the file is wrong.
+    """
+    from screwkit.case import found, load  # noqa: PLC0415
+
+    path, variant = found(case)
+    if variant is None and source.json == (path.suffix.lower() == ".json"):
+        own = source.text.encode("utf-8")
+        with suppress(OSError), path.open("rb") as stream:
+            if stream.read(len(own) + 1) == own:
+                return True
+    return load(case, **_changes(source)).mechanism == carried
 
 
 def _read(path: Path) -> Certificate:

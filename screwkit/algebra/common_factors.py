@@ -8,16 +8,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import reduce
+from typing import Final
 
 from screwkit.algebra.division import Divisor
 from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.factors import factor
 from screwkit.algebra.half_angle import HalfAngles
+from screwkit.algebra.remembered import RememberedColumns
 from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 LONGEST = 600
 """Terms of the shortest entry beyond which its factors are not asked for."""
+
+_KNOWN: Final = RememberedColumns[
+    FactorLibrary | TrigonometricRing, tuple[Polynomial, ...]
+]()
 
 
 def without_common_factors(
@@ -32,6 +38,14 @@ def without_common_factors(
         column: Not all zero.
         library: Of the same ring; reuse one for several columns.
     """
+    return _KNOWN.answer(
+        library or ring, column, None, lambda: _without(ring, column, library)
+    )
+
+
+def _without(
+    ring: TrigonometricRing, column: Sequence[Polynomial], library: FactorLibrary | None
+) -> tuple[Polynomial, ...]:
     entries = tuple(column)
     values = [value for value in entries if value != 0]
     plain = reduce(lambda a, b: a.gcd(b), sorted(values, key=len))

@@ -10,7 +10,7 @@ import random
 from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
-from flint import nmod, nmod_poly
+from flint import nmod_poly
 
 Restricted: TypeAlias = Callable[[int], tuple[Sequence[int], Sequence[int]] | None]
 """Coefficients of two conditions in the second unknown, at a value of the first."""
@@ -62,12 +62,16 @@ def common_root(
 
 def interpolated(places: Sequence[int], values: Sequence[int], prime: int) -> list[int]:
     """Coefficients of the polynomial with these values, by divided differences."""
-    table = [nmod(value, prime) for value in values]
+    table = [int(value) for value in values]
+    inverses = dict[int, int]()  # places are near each other: few steps are different
     for order in range(1, len(table)):
         for k in range(len(table) - 1, order - 1, -1):
-            step = nmod(places[k] - places[k - order], prime)
-            table[k] = (table[k] - table[k - 1]) / step
+            step = places[k] - places[k - order]
+            inverse = inverses.get(step)
+            if inverse is None:
+                inverse = inverses[step] = pow(step, -1, prime)
+            table[k] = (table[k] - table[k - 1]) * inverse % prime
     total = nmod_poly([0], prime)
     for place, value in zip(reversed(places), reversed(table), strict=True):
-        total = total * nmod_poly([-place, 1], prime) + nmod_poly([int(value)], prime)
+        total = total * nmod_poly([-place, 1], prime) + nmod_poly([value], prime)
     return [int(c) for c in total.coeffs()]

@@ -15,7 +15,7 @@ from flint import nmod, nmod_mat, nmod_poly
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.evaluated_modulo import Layout, laid_out
 from screwkit.algebra.evaluation import add_angles, evaluate, multiply_angle
-from screwkit.algebra.expression import Expression, Number
+from screwkit.algebra.expression import Call, Expression, Number, Symbol
 from screwkit.algebra.modular import ModularRing, ResampleError, Residue
 from screwkit.algebra.rational_values import rational_value
 
@@ -72,9 +72,17 @@ class PointRing(ModularRing):
             turns = list(self.turns)
             turns[angle] = turn
             other.turns = tuple(turns)
+            # Angles without this one stay where they are.
+            kept = {
+                name: pair
+                for name, pair in self._angles.items()
+                if angle not in self._declared[name]
+            }
+        else:
+            kept = dict(self._angles)
         if numbers:
             other.numbers = self.numbers | dict(numbers)
-        other.known, other._angles, other._roots = {}, {}, {}
+        other.known, other._angles, other._roots = {}, kept, {}
         return other
 
     def value(self, expression: Expression) -> Residue:
@@ -88,8 +96,19 @@ class PointRing(ModularRing):
         known = self._layouts.get(id(expression))
         if known is None:
             known = self._layouts[id(expression)] = expression, laid_out(expression)
-        value = known[1].at(self.prime, lambda atom: evaluate(atom, self))
+        value = known[1].at(self.prime, self._atom)
         return nmod(value, self.prime) if isinstance(value, int) else value
+
+    def _atom(self, expression: Expression) -> Residue:
+        """The value of what is no sum, product or power; most are met here at once."""
+        match expression:
+            case Symbol(name):
+                return self.numbers[name]
+            case Call("cos", (Symbol(name),)):
+                return self.cosine_sine(name)[0]
+            case Call("sin", (Symbol(name),)):
+                return self.cosine_sine(name)[1]
+        return evaluate(expression, self)
 
     def symbol(self, name: str) -> Residue:
         """The value given for this symbol."""

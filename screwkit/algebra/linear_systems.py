@@ -10,16 +10,20 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from typing import Final
 
 from flint import nmod_mat
 
 from screwkit.algebra.minors import minors_of
 from screwkit.algebra.points import Point, residue
+from screwkit.algebra.remembered import RememberedColumns
 from screwkit.algebra.substitution import linear_parts
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 LARGEST = 4
 """Conditions that are solved together, at most."""
+
+_KNOWN: Final = RememberedColumns[TrigonometricRing, "tuple[LinearSystem, ...]"]()
 
 
 @dataclass(frozen=True)
@@ -39,8 +43,17 @@ class LinearSystem:
 
 def linear_systems(
     ring: TrigonometricRing, conditions: Sequence[Polynomial]
-) -> list[LinearSystem]:
-    """The smallest systems of at least two conditions, shortest determinants first."""
+) -> tuple[LinearSystem, ...]:
+    """The smallest systems of at least two conditions, shortest determinants first.
+
+    They are looked for at every attempt to draw a point, and found once.
+    """
+    return _KNOWN.answer(ring, conditions, None, lambda: _found(ring, conditions))
+
+
+def _found(
+    ring: TrigonometricRing, conditions: Sequence[Polynomial]
+) -> tuple[LinearSystem, ...]:
     degrees = [p.degrees() for p in conditions]
     where = {
         i: {k for k, d in enumerate(degrees) if d[i]}
@@ -62,7 +75,7 @@ def linear_systems(
                         found.append(LinearSystem(own, chosen, whole))
         if found:
             break
-    return sorted(found, key=lambda own: (len(own.determinant), own.symbols))
+    return tuple(sorted(found, key=lambda own: (len(own.determinant), own.symbols)))
 
 
 def has_solutions(

@@ -8,17 +8,21 @@ that are short enough to be factored.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Final
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.constant_multiples import is_number
 from screwkit.algebra.division import Divisor
 from screwkit.algebra.half_angle import HalfAngles
 from screwkit.algebra.points import residue
+from screwkit.algebra.remembered import RememberedColumns
 from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 FACTORED = 40
 """Terms of a polynomial up to which factoring finds such factors just as soon."""
+
+_KNOWN: Final = RememberedColumns[TrigonometricRing, list[Polynomial]]()
 
 
 def without_nowhere_zero(
@@ -33,10 +37,22 @@ def without_nowhere_zero(
         vector: Not all zero, or empty.
         nonvanishing: Polynomials without a zero where the vector is looked at.
     """
-    entries = list(vector)
-    longest = max(map(len, entries), default=0)
+    longest = max(map(len, vector), default=0)
     if longest <= FACTORED or not nonvanishing:
-        return entries
+        return list(vector)
+    given = tuple(str(polynomial) for polynomial in nonvanishing)
+    found = _KNOWN.answer(
+        ring, vector, given, lambda: _without(ring, vector, nonvanishing)
+    )
+    return [*found]
+
+
+def _without(
+    ring: TrigonometricRing,
+    vector: Sequence[Polynomial],
+    nonvanishing: Sequence[Polynomial],
+) -> list[Polynomial]:
+    entries = list(vector)
     layout = Layout.of(ring)
     halves = HalfAngles(ring, layout)
     order = sorted(range(len(entries)), key=lambda i: len(entries[i]))

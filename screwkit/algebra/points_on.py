@@ -7,9 +7,9 @@ polynomial in one unknown, whose roots mod p FLINT finds.
 from __future__ import annotations
 
 import random
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from itertools import combinations
-from typing import Any
+from typing import Any, TypeAlias
 
 from flint import nmod_poly
 
@@ -119,6 +119,7 @@ def _onto_both(
     """The point moved along two unknowns to where two conditions vanish."""
     first, second = places
     sizes = [[degree_in(ring, p, u) for u in places] for p in pair]
+    along = [_along(ring, p, second) for p in pair]
 
     def restricted(value: int) -> tuple[list[int], list[int]] | None:
         moved = _set(ring, point, first, value, prime)
@@ -128,8 +129,8 @@ def _onto_both(
         # A tangent's divisor is taken out: the resultant becomes a polynomial in it.
         one, two = (
             [int(c) * pow(below, own[0] // 2, prime) for c in restriction.coeffs()]
-            for p, own in zip(pair, sizes, strict=True)
-            for restriction in [_in(ring, p, second, moved, prime)]
+            for at, own in zip(along, sizes, strict=True)
+            for restriction in [at(moved, prime)]
         )
         return one, two
 
@@ -150,18 +151,17 @@ def degree_in(ring: TrigonometricRing, polynomial: Polynomial, unknown: Unknown)
     return 2 * max(sum(int(e[i]) for i in places) for e in polynomial.monoms())
 
 
-def _in(
-    ring: TrigonometricRing,
-    polynomial: Polynomial,
-    unknown: Unknown,
-    point: Point,
-    prime: int,
-) -> Any:
+_Along: TypeAlias = Callable[[Point, int], Any]
+"""A polynomial in one unknown, where the others have the values of a point."""
+
+
+def _along(ring: TrigonometricRing, polynomial: Polynomial, unknown: Unknown) -> _Along:
+    """The polynomial in one unknown at any point; taken apart once."""
     kind, number = unknown
     if kind == "x":
-        return _in_symbol(polynomial, number, point, prime)
+        return _along_symbol(polynomial, number)
     places = ring.sine_index(number), ring.cosine_index(number)
-    return _in_tangent(polynomial, *places, point, prime)
+    return _along_tangent(polynomial, *places)
 
 
 def _set(
@@ -239,7 +239,7 @@ def _angle_root(
 ) -> tuple[int, int] | None:
     """(cos, sin) of an angle that makes the condition vanish, by its half-tangent."""
     sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)
-    total = _in_tangent(condition, sine, cosine, point, prime)
+    total = _along_tangent(condition, sine, cosine)(point, prime)
     if total == 0:
         return random_angle(source, prime)
     if total.degree() < 1:
@@ -250,32 +250,32 @@ def _angle_root(
     return next((turn for turn in turns if turn is not None), None)
 
 
-def _in_tangent(
-    condition: Polynomial, sine: int, cosine: int, point: Point, prime: int
-) -> Any:
+def _along_tangent(condition: Polynomial, sine: int, cosine: int) -> _Along:
     """A condition as a polynomial in the tangent of half an angle, without divisor."""
     if _is_linear(condition, sine, cosine):
-        at_zero, at_sine, at_cosine = (
-            _value(condition, {sine: s, cosine: c}, point, prime)
-            for s, c in ((0, 0), (1, 0), (0, 1))
-        )
-        # P·2t + Q·(1 − t²) + R·(1 + t²), with P + R, Q + R and R given.
-        along = 2 * (at_sine - at_zero)
-        return nmod_poly([at_cosine, along, 2 * at_zero - at_cosine], prime)
-    parts: dict[tuple[int, int], dict[tuple[int, ...], Any]] = {}
-    for exponents, coefficient in condition.to_dict().items():
-        key = (int(exponents[sine]), int(exponents[cosine]))
-        rest = tuple(0 if i in (sine, cosine) else e for i, e in enumerate(exponents))
-        parts.setdefault(key, {})[rest] = coefficient
+
+        def linear(point: Point, prime: int) -> Any:
+            at_zero, at_sine, at_cosine = (
+                _value(condition, {sine: s, cosine: c}, point, prime)
+                for s, c in ((0, 0), (1, 0), (0, 1))
+            )
+            # P·2t + Q·(1 − t²) + R·(1 + t²), with P + R, Q + R and R given.
+            along = 2 * (at_sine - at_zero)
+            return nmod_poly([at_cosine, along, 2 * at_zero - at_cosine], prime)
+
+        return linear
+    parts = _parts(condition, (sine, cosine))
     degree = max(s + c for s, c in parts)
-    context = condition.context()
-    total = nmod_poly([0], prime)
-    for (s, c), terms in parts.items():
-        value = residue(context.from_dict(terms), point, prime)
-        term = nmod_poly([value], prime)
-        term *= nmod_poly([0, 2], prime) ** s * nmod_poly([1, 0, -1], prime) ** c
-        total += term * nmod_poly([1, 0, 1], prime) ** (degree - s - c)
-    return total
+
+    def at(point: Point, prime: int) -> Any:
+        total = nmod_poly([0], prime)
+        for (s, c), part in parts.items():
+            term = nmod_poly([residue(part, point, prime)], prime)
+            term *= nmod_poly([0, 2], prime) ** s * nmod_poly([1, 0, -1], prime) ** c
+            total += term * nmod_poly([1, 0, 1], prime) ** (degree - s - c)
+        return total
+
+    return at
 
 
 def _is_linear(condition: Polynomial, sine: int, cosine: int) -> bool:
@@ -296,23 +296,38 @@ def _value(
     return residue(polynomial, values, prime)
 
 
-def _in_symbol(polynomial: Polynomial, index: int, point: Point, prime: int) -> Any:
+def _along_symbol(polynomial: Polynomial, index: int) -> _Along:
     """A condition as a polynomial in one generator."""
     if polynomial.degrees()[index] == 1:
-        first, second = (_value(polynomial, {index: x}, point, prime) for x in (0, 1))
-        return nmod_poly([first, second - first], prime)
-    values = list(point)
-    values[index] = 1
-    parts: dict[int, dict[tuple[int, ...], Any]] = {}
+
+        def linear(point: Point, prime: int) -> Any:
+            first, second = (
+                _value(polynomial, {index: x}, point, prime) for x in (0, 1)
+            )
+            return nmod_poly([first, second - first], prime)
+
+        return linear
+    parts = {power: part for (power,), part in _parts(polynomial, (index,)).items()}
+
+    def at(point: Point, prime: int) -> Any:
+        values = {power: residue(part, point, prime) for power, part in parts.items()}
+        dense = [values.get(power, 0) for power in range(max(values) + 1)]
+        return nmod_poly(dense, prime)
+
+    return at
+
+
+def _parts(
+    polynomial: Polynomial, places: Sequence[int]
+) -> dict[tuple[int, ...], Polynomial]:
+    """The coefficients of a polynomial by its exponents in some generators."""
+    parts: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
     for exponents, coefficient in polynomial.to_dict().items():
-        parts.setdefault(int(exponents[index]), {})[tuple(exponents)] = coefficient
+        rest = tuple(0 if i in places else e for i, e in enumerate(exponents))
+        key = tuple(int(exponents[place]) for place in places)
+        parts.setdefault(key, {})[rest] = coefficient
     context = polynomial.context()
-    coefficients = {
-        power: residue(context.from_dict(terms), values, prime)
-        for power, terms in parts.items()
-    }
-    dense = [coefficients.get(k, 0) for k in range(max(coefficients) + 1)]
-    return nmod_poly(dense, prime)
+    return {key: context.from_dict(terms) for key, terms in parts.items()}
 
 
 def angles_in_numbers(
@@ -344,7 +359,7 @@ def root_in(
     prime: int,
 ) -> int | None:
     """A root mod p of a polynomial in one generator, the others fixed."""
-    roots = _in_symbol(polynomial, index, point, prime).roots()
+    roots = _along_symbol(polynomial, index)(point, prime).roots()
     if not roots:
         return None
     return int(source.choice(roots)[0])
@@ -358,9 +373,4 @@ def coefficients_in(
     places = [number]
     if kind == "angle":
         places = [ring.sine_index(number), ring.cosine_index(number)]
-    parts: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
-    for exponents, coefficient in polynomial.to_dict().items():
-        rest = tuple(0 if i in places else e for i, e in enumerate(exponents))
-        key = tuple(int(exponents[place]) for place in places)
-        parts.setdefault(key, {})[rest] = coefficient
-    return [ring.context.from_dict(part) for part in parts.values()]
+    return [*_parts(polynomial, places).values()]

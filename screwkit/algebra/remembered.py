@@ -7,9 +7,9 @@ nothing but the ring and what is assumed of its symbols.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Sequence
 from functools import wraps
-from typing import TypeVar
+from typing import Generic, TypeVar
 from weakref import WeakKeyDictionary
 
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
@@ -17,8 +17,12 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 LONGEST = 200
 """Terms up to which an answer is kept; longer polynomials seldom come again."""
 
+LONGEST_COLUMN = 20_000
+"""Terms of all entries of a vector up to which an answer about it is kept."""
+
 Given = TypeVar("Given", bound=Hashable)
 Answer = TypeVar("Answer")
+Owner = TypeVar("Owner")
 
 
 def remembered(
@@ -46,3 +50,37 @@ def remembered(
         return answers[key]
 
     return asked
+
+
+class RememberedColumns(Generic[Owner, Answer]):
+    """Answers about vectors of polynomials, kept as long as their owner lives.
+
+    The same vector is met on branches that differ elsewhere.
+    """
+
+    def __init__(self) -> None:
+        self._known: WeakKeyDictionary[Owner, dict[Hashable, Answer]]
+        self._known = WeakKeyDictionary()
+
+    def answer(
+        self,
+        owner: Owner,
+        column: Sequence[Polynomial],
+        given: Hashable,
+        found: Callable[[], Answer],
+    ) -> Answer:
+        """What was found for the same vector, or is found now.
+
+        Args:
+            owner: The ring, or whatever else the answer belongs to.
+            column: The vector.
+            given: Whatever else the answer depends on.
+            found: The answer; whoever gets it must leave it as it is.
+        """
+        if sum(map(len, column)) > LONGEST_COLUMN:
+            return found()
+        answers = self._known.setdefault(owner, {})
+        key = given, tuple(map(str, column))
+        if key not in answers:
+            answers[key] = found()
+        return answers[key]

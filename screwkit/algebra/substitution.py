@@ -47,14 +47,8 @@ def substituted(
     ring: TrigonometricRing, values: Sequence[Polynomial], step: Substitution
 ) -> list[Polynomial]:
     """A vector after a step, up to a power of the step's divisor."""
-    gens = list(ring.context.gens())
-    for index, image in step.images:
-        gens[index] = image
     if step.divisor.is_constant():
-        scale = ring.rational(1 / as_fraction(step.divisor))
-        for index, image in step.images:
-            gens[index] = image * scale
-        replaced = [_composed(value, gens) for value in values]
+        replaced = _composed(ring, values, step)
     else:
         power = power_of(values, step)
         replaced = [_fraction_free(ring, value, step, power) for value in values]
@@ -89,8 +83,24 @@ def power_of(values: Sequence[Polynomial], step: Substitution) -> int:
     return max((_degree_in(v, indices) for v in values), default=0)
 
 
-def _composed(value: Polynomial, images: Sequence[Polynomial]) -> Polynomial:
-    return value if value.is_constant() else value.compose(*images)
+def _composed(
+    ring: TrigonometricRing, values: Sequence[Polynomial], step: Substitution
+) -> list[Polynomial]:
+    """Values after a step whose divisor is a number; most lack what is replaced."""
+    found = list(values)
+    images: list[Polynomial] = []
+    for position, value in enumerate(values):
+        if value.is_constant():
+            continue
+        degrees = value.degrees()
+        if any(degrees[index] for index, _ in step.images):
+            if not images:
+                images = list(ring.context.gens())
+                scale = ring.rational(1 / as_fraction(step.divisor))
+                for index, image in step.images:
+                    images[index] = image * scale
+            found[position] = value.compose(*images)
+    return found
 
 
 def _degree_in(value: Polynomial, indices: Sequence[int]) -> int:

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from heapq import heappop, heappush
 from itertools import combinations, combinations_with_replacement, count
 from math import prod
+from typing import Any, TypeAlias
 
 from flint import fmpq_mat
 
@@ -33,7 +34,8 @@ WIDEST = 500
 STEPS = 600
 """Pseudo-divisions of one equation."""
 
-_Terms = tuple[int, ...]
+_History: TypeAlias = tuple[Any, ...]
+"""Empty, or: history before, leading coefficient, number of the condition, quotient."""
 
 
 @dataclass(frozen=True)
@@ -171,28 +173,46 @@ def _as_sum(
     usable: Callable[[Polynomial], bool],
 ) -> Combination | None:
     """With the multiplier in place of the sum."""
-    waiting = [(0, 0, equation, ring.one, (ring.zero,) * len(conditions))]
+    start: _History = ()
+    waiting = [(0, 0, equation, ring.one, start)]
     seen: set[str] = set()
     order = count(1)
     while waiting and next(order) < STEPS:
-        _, _, rest, scale, times = heappop(waiting)
+        _, _, rest, scale, history = heappop(waiting)
         for number, condition in enumerate(conditions):
             for lead, quotient in _divisions(ring, rest, condition):
                 left = ring.normal(lead * rest - quotient * condition)
                 if len(left) > LONGEST or str(left) in seen or not usable(lead):
                     continue
                 seen.add(str(left))
-                scaled = tuple(ring.normal(lead * t) for t in times)
-                sums = _plus(ring, scaled, number, quotient)
+                divided: _History = (history, lead, number, quotient)
                 whole = ring.normal(scale * lead)
                 for last, other in enumerate(conditions):
                     exact = exact_quotient(left, other)
                     if exact is not None:
-                        done = _plus(ring, sums, last, exact)
-                        return Combination(whole, done)
+                        times = _multipliers(ring, len(conditions), divided)
+                        return Combination(whole, _plus(ring, times, last, exact))
                 cost = len(left) + len(whole)
-                heappush(waiting, (cost, next(order), left, whole, sums))
+                heappush(waiting, (cost, next(order), left, whole, divided))
     return None
+
+
+def _multipliers(
+    ring: TrigonometricRing, size: int, history: _History
+) -> tuple[Polynomial, ...]:
+    """What the conditions were multiplied with in some divisions, the last one first.
+
+    Most divisions lead nowhere, so that this is not asked while they are made.
+    """
+    divisions = []
+    while history:
+        history, *last = history
+        divisions.append(last)
+    times = (ring.zero,) * size
+    for lead, number, quotient in reversed(divisions):
+        scaled = tuple(ring.normal(lead * t) for t in times)
+        times = _plus(ring, scaled, number, quotient)
+    return times
 
 
 def _plus(

@@ -8,6 +8,7 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import combinations
 
 from screwkit.algebra.branches import Branch, Pending, restricted
@@ -73,12 +74,18 @@ class Problem:
         return self.moving or self.least >= 0
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Place:
     """A node under way: its branch, and all conditions on the way to it."""
 
     branch: Branch
     conditions: tuple[Polynomial, ...] = ()
+
+    @cached_property
+    def followed(self) -> tuple[tuple[Polynomial, dict[str, int]], ...]:
+        """Each condition on the branch, with powers of divisors: see `followed`."""
+        found = (followed(self.branch, [condition]) for condition in self.conditions)
+        return tuple((value, powers) for (value,), powers in found)
 
     def number(self, pending: Pending) -> int:
         """Of an unsolved condition of the branch among those of the way."""
@@ -160,8 +167,7 @@ class Conditions:
             (value,), over = followed(branch, [equation])
             if value == 0:
                 continue
-            for index, condition in enumerate(place.conditions):
-                (below,), under = followed(branch, [condition])
+            for index, (below, under) in enumerate(place.followed):
                 times = None if below == 0 else self.quotient(value, below)
                 if times is not None:
                     written = text(branch.ring, times)

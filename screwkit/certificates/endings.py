@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from weakref import WeakKeyDictionary
 
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.trigonometric import Polynomial, primitive
@@ -34,6 +35,9 @@ class Endings(Conditions):
     """
 
     finished: list[Finished] = field(default_factory=list, kw_only=True)
+    _by_itself: WeakKeyDictionary[Place, Node | None] = field(
+        default_factory=WeakKeyDictionary, init=False
+    )
 
     def finish(self, number: int, place: Place) -> None:
         """Note a node with what tells its postures."""
@@ -45,21 +49,12 @@ class Endings(Conditions):
 
     def ended(self, place: Place, number: int) -> Node | None:
         """Why nothing is to be done on a node; None where something is."""
+        if place not in self._by_itself:
+            self._by_itself[place] = self._ended_by_itself(place)
+        found = self._by_itself[place]
+        if found is not None:
+            return replace(found, number=number)
         branch = place.branch
-        for label, square in self.problem.axes.items():
-            multiples = self.multiples(place, [square])
-            if multiples is None:
-                multiples = self.multiples(place, self.problem.directions[label])
-            if multiples is not None:
-                return Node(number, axis=label, multiples=multiples)
-        symbol = branch.vanishing_symbol
-        if symbol is not None:
-            return Node(number, vanishing=symbol)
-        for k, equations in enumerate(self.problem.components):
-            if not branch.points or self.all_vanish(equations, branch):
-                multiples = self.multiples(place, equations)
-                if multiples is not None:
-                    return Node(number, component=k, multiples=multiples)
         for earlier in self.finished:
             if (
                 branch.points
@@ -68,6 +63,25 @@ class Endings(Conditions):
                 and self.surely(place, earlier.conditions)
             ):
                 return Node(number, earlier=earlier.number)
+        return None
+
+    def _ended_by_itself(self, place: Place) -> Node | None:
+        """Why nothing is to be done on a node, other nodes aside."""
+        branch = place.branch
+        for label, square in self.problem.axes.items():
+            multiples = self.multiples(place, [square])
+            if multiples is None:
+                multiples = self.multiples(place, self.problem.directions[label])
+            if multiples is not None:
+                return Node(-1, axis=label, multiples=multiples)
+        symbol = branch.vanishing_symbol
+        if symbol is not None:
+            return Node(-1, vanishing=symbol)
+        for k, equations in enumerate(self.problem.components):
+            if not branch.points or self.all_vanish(equations, branch):
+                multiples = self.multiples(place, equations)
+                if multiples is not None:
+                    return Node(-1, component=k, multiples=multiples)
         return None
 
     def is_held(self, place: Place, factors: Iterable[tuple[Factor, int]]) -> bool:

@@ -62,12 +62,8 @@ def solvable_sum(known: Conditions, place: Place) -> Sum | None:
 def implied_equation(known: Conditions, place: Place) -> Sum | None:
     """A sum that is a multiple of an equation of a component; None if not found."""
     branch = place.branch
-    on_branch = {
-        number: followed(branch, [condition])[0][0]
-        for number, condition in enumerate(place.conditions)
-    }
-    numbers = [number for number, value in on_branch.items() if value != 0]
-    values = [on_branch[number] for number in numbers]
+    numbers = [n for n, (value, _) in enumerate(place.followed) if value != 0]
+    values = [place.followed[number][0] for number in numbers]
     if len(values) < 2:
         return None
     for equation in _wanted(known, place):
@@ -218,7 +214,7 @@ def _terms(
             -1,
             condition,
             text(branch.ring, times),
-            followed(branch, [place.conditions[condition]])[1],
+            place.followed[condition][1],
         )
         for condition, times in zip(conditions, found.times, strict=True)
         if times != 0
