@@ -19,6 +19,7 @@ from screwkit.algebra.sums_of_conditions import (
     equal_leads,
     made_a_sum,
     sums_by_elimination,
+    times_constants,
 )
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.certificates.conditions import Conditions, Place
@@ -75,6 +76,27 @@ def implied_equation(known: Conditions, place: Place) -> Sum | None:
         if found is not None:
             factors = known.factors(branch, found.value)
             return Sum(_terms(place, numbers, found), tuple(factors))
+    return None
+
+
+def equation_times_dimensions(known: Conditions, place: Place) -> Sum | None:
+    """A sum that is an equation of a component times dimensions; None if not found.
+
+    These vanish where dimensions are tied to each other alone.
+    """
+    branch = place.branch
+    values = [pending.value for pending in branch.pending]
+    if len(values) < 2:
+        return None
+    for equation in _wanted(known, place):
+        for degree in (0, 1):
+            found = times_constants(
+                branch.ring, equation, values, branch.dimensions, degree
+            )
+            if found is not None:
+                numbers = [place.number(pending) for pending in branch.pending]
+                factors = known.factors(branch, found.value)
+                return Sum(_terms(place, numbers, found), tuple(factors))
     return None
 
 
