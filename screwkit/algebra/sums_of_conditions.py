@@ -70,6 +70,34 @@ def equal_leads(
                 yield Combination(value, tuple(times))
 
 
+def without_symbols(
+    ring: TrigonometricRing, conditions: Sequence[Polynomial]
+) -> Iterator[Combination]:
+    """Conditions without a symbol in which another one is linear, by pseudo-division."""
+    for one, condition in enumerate(conditions):
+        for index in ring.symbol_indices():
+            if condition.degrees()[index] != 1:
+                continue
+            lead, _ = linear_parts(ring, condition, index)
+            if len(lead) > SHORT:
+                continue
+            for two, other in enumerate(conditions):
+                if two == one or not other.degrees()[index]:
+                    continue
+                times = [ring.zero] * len(conditions)
+                times[two], rest = ring.one, other
+                for degree in range(int(other.degrees()[index]), 0, -1):
+                    top = _leading(ring, rest, index, degree)
+                    factor = top * ring.context.gens()[index] ** (degree - 1)
+                    times = [ring.normal(lead * t) for t in times]
+                    times[one] -= factor
+                    rest = ring.normal(lead * rest - factor * condition)
+                    if len(rest) > LONGEST:
+                        break
+                if rest != 0 and not rest.degrees()[index]:
+                    yield Combination(rest, tuple(times))
+
+
 def sums_by_elimination(
     ring: TrigonometricRing, conditions: Sequence[Polynomial], degree: int
 ) -> Iterator[Combination]:

@@ -43,7 +43,9 @@ from screwkit.certificates.sums import (
     paired_equation,
     solvable_sum,
     sum_without_angles,
+    sum_without_symbol,
 )
+from screwkit.certificates.symbolic_roots import rootless_condition
 from screwkit.certificates.texts import read
 
 NODES = 600
@@ -51,6 +53,9 @@ NODES = 600
 
 NODES_OF_LIMBS = 1_200
 """Nodes of one proof that asks limbs; these are short."""
+
+NODES_OF_LATE = 4_000
+"""Nodes of one proof with late sums, which is looked for where others failed."""
 
 MIXED = 3
 """Unsolved conditions from which on no further one is added to tell postures apart."""
@@ -84,6 +89,7 @@ class ProofSearch(OfferChoice):
         number = self.count
         self.count += 1
         most = NODES_OF_LIMBS if self.asks_limbs else NODES
+        most = NODES_OF_LATE if self.late else most
         if self.count > most or len(place.conditions) > DEEPEST:
             raise NotProvedError("the proof would be too long")
         ended = self.ended(place, number)
@@ -94,6 +100,12 @@ class ProofSearch(OfferChoice):
             or self.split_condition(place, number)
             or self.of_a_sum(place, number, solvable_sum(self, place))
             or self.of_a_sum(place, number, determinant_sum(self, place))
+            or self.of_a_sum(place, number, rootless_condition(self, place))
+            or (
+                self.of_a_sum(place, number, sum_without_symbol(self, place))
+                if self.late
+                else None
+            )
             or self.special(place, number)
             or self.of_a_sum(place, number, self.implied(place))
             or self.without_points(place, number)
@@ -290,6 +302,9 @@ class ProofSearch(OfferChoice):
             divisor = self.in_divisor(branch, own)
             if divisor is not None:
                 return replace(case, end="divisor", divisor=divisor)
+            divisor = self.undefined(branch, own)
+            if divisor is not None:
+                return replace(case, end="undefined", divisor=divisor)
             angle, numbers = numbers_of(ring, own.equations[0])
             end = "elsewhere" if self.elsewhere(branch, own) else "unreal"
             return replace(case, end=end, angle=angle, numbers=numbers)
