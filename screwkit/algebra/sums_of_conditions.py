@@ -73,7 +73,7 @@ def equal_leads(
 def without_symbols(
     ring: TrigonometricRing, conditions: Sequence[Polynomial]
 ) -> Iterator[Combination]:
-    """Conditions without a symbol in which another one is linear, by pseudo-division."""
+    """Conditions without a symbol that another one is linear in, by pseudo-division."""
     for one, condition in enumerate(conditions):
         for index in ring.symbol_indices():
             if condition.degrees()[index] != 1:

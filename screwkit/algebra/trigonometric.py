@@ -309,7 +309,7 @@ class TrigonometricRing:
 
     @cached_property
     def geometry_divisors(self) -> Mapping[int, Polynomial]:
-        """What the geometry divides by, by number in its survey, where no root is in it.
+        """What the geometry divides by, by number in its survey, if no root is in it.
 
         Inverses in it are cleared.
         """
