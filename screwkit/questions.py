@@ -159,10 +159,9 @@ def singularities(
         tied = tied_graph(case.network)
         closed = tied_singularities(tied, progress=progress, finished=finished)
         if certificate:
-            from screwkit.verification import certificate_of  # noqa: PLC0415
+            from screwkit.verification import certified_answer  # noqa: PLC0415
 
-            written = certificate_of(case, closed, progress)
-            closed = replace(closed, certificate=written)
+            closed = certified_answer(case, closed, progress)
         return closed
     _need_exact_posture(case)
     if case.network.tied and strata:
@@ -188,9 +187,9 @@ def singularities(
         together = found(_states(case, answer), answer, strata, progress)
         answer = replace(answer, strata=together)
     if certificate:
-        from screwkit.verification import certificate_of  # noqa: PLC0415
+        from screwkit.verification import certified_answer  # noqa: PLC0415
 
-        answer = replace(answer, certificate=certificate_of(case, answer, progress))
+        answer = certified_answer(case, answer, progress)
     return answer
 
 

@@ -26,10 +26,50 @@ class CertificateError(ScrewkitError):
     """A file is no certificate."""
 
 
+def certified_answer(
+    case: Case, answer: Singularities, progress: Progress = silent
+) -> Singularities:
+    """An answer of `singularities` with its certificate, as the text of its document.
+
+    Each list says whether the certificate carries a proof that it is complete.
+
+    Args:
+        case: As loaded from a file.
+        answer: Of this case.
+        progress: Told about each part.
+
+    Raises:
+        CertificateError: If the case was not read from a file.
+    """
+    from screwkit.certificates.written import to_text  # noqa: PLC0415
+
+    certificate = certificate_of(case, answer, progress)
+    parts = {(part.question, part.limb): part for part in certificate.parts}
+
+    def of(question: str, limb: str = "") -> dict[str, Any]:
+        part = parts.get((question, limb))
+        if part is None:
+            return {"certified": False, "uncertified": "the certificate leaves it out"}
+        return {"certified": part.proof is not None, "uncertified": part.reason}
+
+    limbs = (replace(own, **of("limb", own.limb)) for own in answer.limb)
+    constraint = replace(answer.constraint, **of("constraint"))
+    actuation = answer.actuation
+    if actuation is not None and actuation.admissible:
+        actuation = replace(actuation, **of("actuation"))
+    return replace(
+        answer,
+        limb=tuple(limbs),
+        constraint=constraint,
+        actuation=actuation,
+        certificate=to_text(certificate),
+    )
+
+
 def certificate_of(
     case: Case, answer: Singularities, progress: Progress = silent
-) -> str:
-    """The certificate of an answer of `singularities`, as the text of its document.
+) -> Certificate:
+    """The certificate of an answer of `singularities`.
 
     Args:
         case: As loaded from a file.
@@ -43,7 +83,6 @@ def certificate_of(
         certified,
         certified_graph,
     )
-    from screwkit.certificates.written import to_text  # noqa: PLC0415
     from screwkit.kinematics.whole_graph import WholeGraph  # noqa: PLC0415
     from screwkit.reports.records import version  # noqa: PLC0415
 
@@ -55,15 +94,13 @@ def certificate_of(
         )
 
         tied = tied_graph(case.network)
-        return to_text(certified_tied(tied, answer, source, version(), progress))
+        return certified_tied(tied, answer, source, version(), progress)
     graph = case.graph
     if graph is None and case.assembly.has_blocks:
         graph = WholeGraph(case.mechanism)
     if graph is not None:
-        found = certified_graph(graph, answer, source, version(), progress)
-    else:
-        found = certified(case.assembly, answer, source, version(), progress)
-    return to_text(found)
+        return certified_graph(graph, answer, source, version(), progress)
+    return certified(case.assembly, answer, source, version(), progress)
 
 
 def need_free_joints(case: Case) -> None:

@@ -223,7 +223,8 @@ class Branch:
             pairs=self.thorough,
             nonzero=nonzero,
         )
-        if solved is None and self.thorough and len(values) > 2:
+        fewest = 2 if self.ring.radicands else 3
+        if solved is None and self.thorough and len(values) >= fewest:
             # What follows from other conditions leaves no unknown to meet it by.
             fewer = source.sample(values, len(values) - source.choice((1, 1, 2)))
             solved = moved_onto(

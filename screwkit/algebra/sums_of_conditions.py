@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from heapq import heappop, heappush
 from itertools import combinations, combinations_with_replacement, count
 from math import prod
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 from flint import fmpq_mat
 
@@ -71,6 +71,34 @@ def equal_leads(
                 yield Combination(value, tuple(times))
 
 
+def without_symbols(
+    ring: TrigonometricRing, conditions: Sequence[Polynomial]
+) -> Iterator[Combination]:
+    """Conditions without a symbol that another one is linear in, by pseudo-division."""
+    for one, condition in enumerate(conditions):
+        for index in ring.symbol_indices():
+            if condition.degrees()[index] != 1:
+                continue
+            lead, _ = linear_parts(ring, condition, index)
+            if len(lead) > SHORT:
+                continue
+            for two, other in enumerate(conditions):
+                if two == one or not other.degrees()[index]:
+                    continue
+                times = [ring.zero] * len(conditions)
+                times[two], rest = ring.one, other
+                for degree in range(int(other.degrees()[index]), 0, -1):
+                    top = _leading(ring, rest, index, degree)
+                    factor = top * ring.context.gens()[index] ** (degree - 1)
+                    times = [ring.normal(lead * t) for t in times]
+                    times[one] -= factor
+                    rest = ring.normal(lead * rest - factor * condition)
+                    if len(rest) > LONGEST:
+                        break
+                if rest != 0 and not rest.degrees()[index]:
+                    yield Combination(rest, tuple(times))
+
+
 def sums_by_elimination(
     ring: TrigonometricRing, conditions: Sequence[Polynomial], degree: int
 ) -> Iterator[Combination]:
@@ -80,36 +108,111 @@ def sums_by_elimination(
     are eliminated first (Macaulay's matrix).  Square roots of numbers count as numbers.
     """
     factors = _monomials(ring, conditions, degree)
-    rows = [
-        (number, factor, ring.normal(factor * condition))
-        for number, condition in enumerate(conditions)
-        for factor in factors
-    ]
-    monomials = sorted(
-        {tuple(map(int, e)) for _, _, value in rows for e in value.monoms()},
-        key=lambda e: (-sum(e), e),
-    )
-    if len(conditions) < 2 or len(monomials) + len(rows) > WIDEST:
+    rows = _multiples(ring, conditions, factors)
+    if len(conditions) < 2:
         return
-    places = {monomial: place for place, monomial in enumerate(monomials)}
-    width = len(monomials)
-    matrix = fmpq_mat(len(rows), width + len(rows))
-    for place, (_, _, value) in enumerate(rows):
-        for exponents, coefficient in value.to_dict().items():
-            matrix[place, places[tuple(map(int, exponents))]] = coefficient
-        matrix[place, width + place] = 1
-    reduced, rank = matrix.rref()
     found = []
-    for place in range(rank):
+    for vector in _eliminated(rows) or ():
         times = [ring.zero] * len(conditions)
-        for own, (number, factor, _) in enumerate(rows):
-            times[number] += factor * reduced[place, width + own]
+        for own, row in zip(vector, rows, strict=True):
+            times[row.condition] += row.factor * own
         value = ring.normal(
             sum((t * c for t, c in zip(times, conditions, strict=True)), ring.zero)
         )
         if value != 0 and sum(t != 0 for t in times) > 1:
             found.append(Combination(value, tuple(times)))
     yield from sorted(found, key=lambda own: len(own.value))
+
+
+def times_constants(
+    ring: TrigonometricRing,
+    equation: Polynomial,
+    conditions: Sequence[Polynomial],
+    constants: Sequence[int],
+    degree: int,
+) -> Combination | None:
+    """An equation times a polynomial in some symbols as a sum of multiples.
+
+    Found by linear algebra: the multiples are by monomials up to a degree, and those of
+    the equation by monomials in these symbols alone.
+
+    Args:
+        ring: Of all polynomials.
+        equation: The equation.
+        conditions: The conditions.
+        constants: Indices of the symbols that the equation is multiplied with.
+        degree: Of the monomials.
+    """
+    gens = ring.context.gens()
+    rows = _multiples(ring, conditions, _monomials(ring, conditions, degree))
+    first = len(rows)
+    scales = [ring.one, *(gens[i] for i in constants)] if degree else [ring.one]
+    rows += _multiples(ring, [equation], scales)
+    for vector in _eliminated(rows, vanishing=True) or ():
+        scale, times = ring.zero, [ring.zero] * len(conditions)
+        for place, (own, row) in enumerate(zip(vector, rows, strict=True)):
+            if place < first:
+                times[row.condition] -= row.factor * own
+            else:
+                scale += row.factor * own
+        if scale != 0:
+            value = ring.normal(scale * equation)
+            return Combination(value, tuple(times))
+    return None
+
+
+class _Row(NamedTuple):
+    """A condition by its number, times a factor."""
+
+    condition: int
+    factor: Polynomial
+    value: Polynomial
+
+
+def _multiples(
+    ring: TrigonometricRing,
+    conditions: Sequence[Polynomial],
+    factors: Sequence[Polynomial],
+) -> list[_Row]:
+    return [
+        _Row(number, factor, ring.normal(factor * condition))
+        for number, condition in enumerate(conditions)
+        for factor in factors
+    ]
+
+
+def _eliminated(
+    rows: Sequence[_Row], *, vanishing: bool = False
+) -> list[list[Any]] | None:
+    """By what rows are multiplied in sums with as few monomials of high degree.
+
+    Args:
+        rows: Of Macaulay's matrix.
+        vanishing: Only sums that are 0, instead of all others.
+
+    Returns:
+        None where there are too many rows or monomials.
+    """
+    monomials = sorted(
+        {tuple(map(int, e)) for row in rows for e in row.value.monoms()},
+        key=lambda e: (-sum(e), e),
+    )
+    width = len(monomials)
+    if width + len(rows) > WIDEST:
+        return None
+    places = {monomial: place for place, monomial in enumerate(monomials)}
+    matrix = fmpq_mat(len(rows), width + len(rows))
+    for place, row in enumerate(rows):
+        for exponents, coefficient in row.value.to_dict().items():
+            matrix[place, places[tuple(map(int, exponents))]] = coefficient
+        matrix[place, width + place] = 1
+    reduced, rank = matrix.rref()
+    found = []
+    for place in range(rank):
+        is_zero = all(reduced[place, k] == 0 for k in range(width))
+        if is_zero or not vanishing:
+            found.append([reduced[place, width + k] for k in range(len(rows))])
+    return found if not vanishing else found[::-1]
 
 
 def _monomials(

@@ -307,6 +307,23 @@ class TrigonometricRing:
         """What each generator that stands for an inverse is the inverse of."""
         return self._divisor_values
 
+    @cached_property
+    def geometry_divisors(self) -> Mapping[int, Polynomial]:
+        """What the geometry divides by, by number in its survey, if no root is in it.
+
+        Inverses in it are cleared.
+        """
+        found = {
+            int(name[1:]): self.cleared([divisor])[0][0]
+            for name, divisor in self._divisor_values.items()
+        }
+        places = [self.names.index(name) for name in self.radicands]
+        return {
+            number: divisor
+            for number, divisor in found.items()
+            if not any(divisor.degrees()[place] for place in places)
+        }
+
     def _algebraic(self, terms: Mapping[tuple[int, ...], Fraction]) -> Polynomial:
         gens = [self._gens[name] for name in self._constants.generators]
         total = self._zero

@@ -194,13 +194,20 @@ class PartDerivation:
         if self._subject.limbs:
             with suppress(NotProvedError, RefusedError):
                 return self._by_search(part, loci, asks_limbs=True)
-        return self._by_search(part, loci, asks_limbs=False)
+        with suppress(NotProvedError, RefusedError):
+            return self._by_search(part, loci)
+        return self._by_search(part, loci, late=True)
 
     def _by_search(
-        self, part: Part, loci: Sequence[tuple[Polynomial, ...]], *, asks_limbs: bool
+        self,
+        part: Part,
+        loci: Sequence[tuple[Polynomial, ...]],
+        *,
+        asks_limbs: bool = False,
+        late: bool = False,
     ) -> Part:
         problem = self._problem(loci, part.question)
-        proof = proof_of(problem, asks_limbs=asks_limbs)
+        proof = proof_of(problem, asks_limbs=asks_limbs, late=late)
         return self._examined(replace(part, proof=proof))
 
     def _examined(self, part: Part) -> Part:

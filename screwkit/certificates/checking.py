@@ -361,8 +361,8 @@ class _PartCheck:
                 raise RefusedError(f"{case.equations[0]} has real solutions")
         elif case.end == "elsewhere":
             self._solutions.elsewhere(case, way)
-        elif case.end == "divisor":
-            self._divides(case, way)
+        elif case.end in ("divisor", "undefined"):
+            self._solutions.divides(case, way)
         elif case.end:
             raise RefusedError(f"{case.end!r} is no reason")
         elif case.sheets:
@@ -381,18 +381,6 @@ class _PartCheck:
         return symbols_of(expression) <= self._dimensions and bool(
             point.value(expression) != 0
         )
-
-    def _divides(self, case: Case, way: Way) -> None:
-        """What a step divides by is a multiple of the case, and vanishes nowhere."""
-        if case.divisor is None or len(case.equations) != 1:
-            raise RefusedError("a case without its divisor")
-        multiple = case.divisor
-        for point in self._postures.several(way):
-            left = divided({str(multiple.equation): 1}, way, point)
-            left = left * divided(multiple.over, way, point)
-            right = point.value(read(multiple.times))
-            if left != right * point.value(read(case.equations[0])):
-                raise RefusedError(f"{case.equations[0]} is in no divisor")
 
     def _sheet(self, sheet: Sheet, way: Way) -> None:
         self._node(sheet.node, replace(way, steps=(*way.steps, sheet.step)))

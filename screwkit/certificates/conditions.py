@@ -228,6 +228,17 @@ class Conditions:
                 return Multiple(number, -1, text(branch.ring, times), over)
         return None
 
+    def undefined(self, branch: Branch, own: Factor) -> Multiple | None:
+        """The divisor of the geometry that a factor divides: no posture is there."""
+        if len(own.equations) > 1:
+            return None
+        for number, divisor in self.problem.root.ring.geometry_divisors.items():
+            (value,), over = followed(branch, [divisor])
+            times = None if value == 0 else self.quotient(value, own.equations[0])
+            if times is not None:
+                return Multiple(number, -1, text(branch.ring, times), over)
+        return None
+
     def factors(self, branch: Branch, value: Polynomial) -> list[tuple[Factor, int]]:
         """The factors of a polynomial on a branch, with their powers."""
         return [*factor(branch.ring, value, self.problem.library).factors]
@@ -277,6 +288,7 @@ class Conditions:
         return (
             self.positive(branch, own)
             or self.in_divisor(branch, own) is not None
+            or self.undefined(branch, own) is not None
             or self.elsewhere(branch, own)
         )
 

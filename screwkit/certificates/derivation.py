@@ -38,11 +38,14 @@ from screwkit.certificates.steps import (
 from screwkit.certificates.sums import (
     Sum,
     determinant_sum,
+    equation_times_dimensions,
     implied_equation,
     paired_equation,
     solvable_sum,
     sum_without_angles,
+    sum_without_symbol,
 )
+from screwkit.certificates.symbolic_roots import rootless_condition
 from screwkit.certificates.texts import read
 
 NODES = 600
@@ -50,6 +53,9 @@ NODES = 600
 
 NODES_OF_LIMBS = 1_200
 """Nodes of one proof that asks limbs; these are short."""
+
+NODES_OF_LATE = 4_000
+"""Nodes of one proof with late sums, which is looked for where others failed."""
 
 MIXED = 3
 """Unsolved conditions from which on no further one is added to tell postures apart."""
@@ -65,12 +71,14 @@ class ProofSearch(OfferChoice):
     Attributes:
         rank: Of the matrix in general.
         asks_limbs: Whether limbs are asked before minors of the whole matrix.
+        late: Whether sums that leave more than one case unsolved come after minors.
         count: Nodes so far.
         source: Of the choice of minors.
     """
 
     rank: int
     asks_limbs: bool = False
+    late: bool = False
     count: int = 0
     source: random.Random = field(default_factory=lambda: random.Random(5))
 
@@ -81,6 +89,7 @@ class ProofSearch(OfferChoice):
         number = self.count
         self.count += 1
         most = NODES_OF_LIMBS if self.asks_limbs else NODES
+        most = NODES_OF_LATE if self.late else most
         if self.count > most or len(place.conditions) > DEEPEST:
             raise NotProvedError("the proof would be too long")
         ended = self.ended(place, number)
@@ -91,8 +100,14 @@ class ProofSearch(OfferChoice):
             or self.split_condition(place, number)
             or self.of_a_sum(place, number, solvable_sum(self, place))
             or self.of_a_sum(place, number, determinant_sum(self, place))
+            or self.of_a_sum(place, number, rootless_condition(self, place))
+            or (
+                self.of_a_sum(place, number, sum_without_symbol(self, place))
+                if self.late
+                else None
+            )
             or self.special(place, number)
-            or self.of_a_sum(place, number, implied_equation(self, place))
+            or self.of_a_sum(place, number, self.implied(place))
             or self.without_points(place, number)
             or self.by_limbs(place, number)
             or self.by_minor(place, number)
@@ -130,6 +145,28 @@ class ProofSearch(OfferChoice):
         options = self.options(place, found.factors)
         cases = self.cases(place, found.factors, options)
         return Node(number, combination=found.terms, cases=cases)
+
+    def implied(self, place: Place) -> Sum | None:
+        """What follows for components; of a late search only where no case is kept."""
+        if self.late:
+            found = equation_times_dimensions(self, place)
+            if found is not None:
+                return found
+        found = implied_equation(self, place)
+        if found is None or not self.late:
+            return found
+        return found if len(self.left_open(place, found)) < 2 else None
+
+    def left_open(self, place: Place, found: Sum) -> list[Factor]:
+        """The factors of a sum that are neither solved nor end at once."""
+        branch = place.branch
+        return [
+            own
+            for own, _ in found.factors
+            if not self.vanishes_nowhere(branch, own)
+            and not self.is_of_dimensions(branch, own)
+            and self.steps(branch, own) is None
+        ]
 
     def special(self, place: Place, number: int) -> Node | None:
         """The node of dimensions that are tied to each other."""
@@ -265,6 +302,9 @@ class ProofSearch(OfferChoice):
             divisor = self.in_divisor(branch, own)
             if divisor is not None:
                 return replace(case, end="divisor", divisor=divisor)
+            divisor = self.undefined(branch, own)
+            if divisor is not None:
+                return replace(case, end="undefined", divisor=divisor)
             angle, numbers = numbers_of(ring, own.equations[0])
             end = "elsewhere" if self.elsewhere(branch, own) else "unreal"
             return replace(case, end=end, angle=angle, numbers=numbers)
@@ -294,13 +334,14 @@ class ProofSearch(OfferChoice):
         return Node(number, impossible=index, impossible_value=written, over=over)
 
 
-def proof_of(problem: Problem, *, asks_limbs: bool) -> Node:
+def proof_of(problem: Problem, *, asks_limbs: bool, late: bool = False) -> Node:
     """A proof that nothing is missing from a list of components.
 
     Args:
         problem: With the list.
         asks_limbs: Whether limbs are asked before minors of the whole matrix, which may
             be products all the same.
+        late: Whether sums that leave more than one case unsolved come after minors.
 
     Raises:
         NotProvedError: If none was found.
@@ -310,5 +351,5 @@ def proof_of(problem: Problem, *, asks_limbs: bool) -> Node:
         raise NotProvedError("the mechanism has no exact posture")
     rank = max(problem.matrix.rank_at(*at) for at in points)
     start = with_conditions(problem.root, problem.demands)
-    search = ProofSearch(problem, rank, asks_limbs)
+    search = ProofSearch(problem, rank, asks_limbs, late)
     return search.node(Place(start, problem.demands))

@@ -14,6 +14,7 @@ from typing import Any
 from screwkit.algebra.expression import Call, Expression, Power, Quotient
 from screwkit.algebra.expression_building import children, symbols_of
 from screwkit.algebra.rational_values import rational_value
+from screwkit.algebra.text import expression_text
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import Part
 from screwkit.certificates.signs import Signs
@@ -45,8 +46,10 @@ def all_plain(part: Part, postures: Postures, signs: Signs) -> None:
     Raises:
         RefusedError: If a text is no polynomial, or a scale may vanish.
     """
+    # As the texts are: read from what was written.
+    radicands = [read(expression_text(own)) for own in postures.radicands]
     for text in {*_texts(part)}:
-        if not _is_polynomial(read(text), postures.radicands):
+        if not _is_polynomial(read(text), radicands):
             raise RefusedError(f"{text} is no polynomial")
     for text in {*(part.scales or {}).values()}:
         if not signs.never_zero(read(text)) and not _is_of_divisors(text, postures):
@@ -83,8 +86,10 @@ def _is_polynomial(expression: Expression, radicands: Sequence[Expression]) -> b
                 if rational_value(base) in (None, 0):
                     return False
             case Call("sqrt", (inside,)):
+                if inside in radicands:
+                    continue  # it may hold what the geometry divides by
                 known = rational_value(inside)
-                if inside not in radicands and (known is None or known < 0):
+                if known is None or known < 0:
                     return False
             case Call("sin" | "cos", _):
                 pass

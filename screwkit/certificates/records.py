@@ -111,10 +111,11 @@ class Case:
         end: Why nothing follows: ``positive`` (the signs of its terms), ``unreal``
             (no real solution), ``special`` (it ties the dimensions of the mechanism to
             each other), ``divisor`` (it divides what a step has divided by),
+            ``undefined`` (it divides what the geometry divides by),
             ``elsewhere`` (an angle that a step gives in numbers is not there); empty if
             something does.
-        divisor: Of which step, and what else is in it: `Multiple` with the number of
-            the step as its equation.
+        divisor: Of which step, or which one of the geometry, and what else is in it:
+            `Multiple` with the number of that as its equation.
         numbers: (a, b, c) of an a·sin φ + b·cos φ + c = 0 that is unreal or elsewhere.
         angle: Its basis angle.
         sheets: What follows where the case is solved.

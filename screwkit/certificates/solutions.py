@@ -13,6 +13,7 @@ from typing import Any
 
 from screwkit.algebra.exact_point import PointRing, Turn
 from screwkit.algebra.expression import Expression
+from screwkit.certificates.multiples import divided
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import Case, Step
 from screwkit.certificates.root_postures import linear_solution
@@ -149,6 +150,28 @@ class Solutions:
             if sine**2 + cosine**2 != below**2:
                 return
         raise RefusedError(f"{case.equations[0]} may vanish")
+
+    def divides(self, case: Case, way: Way) -> None:
+        """A divisor that vanishes at no posture is a multiple of the case.
+
+        One of a step, or one of the geometry, which is not defined elsewhere.
+        """
+        if case.divisor is None or len(case.equations) != 1:
+            raise RefusedError("a case without its divisor")
+        multiple, equation = case.divisor, read(case.equations[0])
+        for point in self._postures.several(way):
+            if case.end == "undefined":
+                left = point.value(self._divisor_of_geometry(multiple.equation))
+            else:
+                left = divided({str(multiple.equation): 1}, way, point)
+            left = left * divided(multiple.over, way, point)
+            if left != point.value(read(multiple.times)) * point.value(equation):
+                raise RefusedError(f"{case.equations[0]} is in no divisor")
+
+    def _divisor_of_geometry(self, number: int) -> Expression:
+        if not 0 <= number < len(self._postures.divisors):
+            raise RefusedError(f"the geometry has no divisor {number}")
+        return self._postures.divisors[number]
 
     def _pair(self, case: Case, step: Step, way: Way) -> None:
         """Two equations linear in sine and cosine with a determinant never zero."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
@@ -19,6 +19,8 @@ from screwkit.algebra.sums_of_conditions import (
     equal_leads,
     made_a_sum,
     sums_by_elimination,
+    times_constants,
+    without_symbols,
 )
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.certificates.conditions import Conditions, Place
@@ -41,13 +43,26 @@ class Sum:
 
 def solvable_sum(known: Conditions, place: Place) -> Sum | None:
     """A sum all of whose factors can be solved or vanish nowhere; None if not found."""
+    ring, values = place.branch.ring, [p.value for p in place.branch.pending]
+    sums = chain(
+        equal_leads(ring, values),
+        sums_by_elimination(ring, values, 0),
+        sums_by_elimination(ring, values, 1),
+    )
+    return _solvable(known, place, sums)
+
+
+def sum_without_symbol(known: Conditions, place: Place) -> Sum | None:
+    """As `solvable_sum`, where a symbol is taken out of a condition of any degree."""
+    values = [pending.value for pending in place.branch.pending]
+    return _solvable(known, place, without_symbols(place.branch.ring, values))
+
+
+def _solvable(
+    known: Conditions, place: Place, sums: Iterable[Combination]
+) -> Sum | None:
     branch = place.branch
-    values = [pending.value for pending in branch.pending]
-    for found in chain(
-        equal_leads(branch.ring, values),
-        sums_by_elimination(branch.ring, values, 0),
-        sums_by_elimination(branch.ring, values, 1),
-    ):
+    for found in sums:
         value = branch.value(found.value)
         factors = [] if value == 0 else known.factors(branch, value)
         if factors and all(
@@ -71,6 +86,27 @@ def implied_equation(known: Conditions, place: Place) -> Sum | None:
         if found is not None:
             factors = known.factors(branch, found.value)
             return Sum(_terms(place, numbers, found), tuple(factors))
+    return None
+
+
+def equation_times_dimensions(known: Conditions, place: Place) -> Sum | None:
+    """A sum that is an equation of a component times dimensions; None if not found.
+
+    These vanish where dimensions are tied to each other alone.
+    """
+    branch = place.branch
+    values = [pending.value for pending in branch.pending]
+    if len(values) < 2:
+        return None
+    for equation in _wanted(known, place):
+        for degree in (0, 1):
+            found = times_constants(
+                branch.ring, equation, values, branch.dimensions, degree
+            )
+            if found is not None:
+                numbers = [place.number(pending) for pending in branch.pending]
+                factors = known.factors(branch, found.value)
+                return Sum(_terms(place, numbers, found), tuple(factors))
     return None
 
 

@@ -73,6 +73,8 @@ def singularities_blocks(
     if answer.assumptions:
         taken = joined([math(text) for text in answer.assumptions])
         blocks.append(Paragraph((Words("assumed: "), *taken)))
+    if note := uncertified(answer):
+        blocks.append(Paragraph(words(note)))
     if answer.slice is not None:
         blocks += slice_blocks(answer.slice)
     return tuple(blocks)
@@ -122,13 +124,34 @@ def verdict(
     *,
     none: bool,
 ) -> str:
-    """What was proved and what is open."""
+    """What the search found, whether a certificate proves it, and what is open."""
     if not part.complete:
         known = "nothing found, but " if none else ""
         return f"{known}undecided whether this is all: {part.reason or 'not proved'}"
     proof = getattr(part, "proof", "")
     found = "never" if none else "complete"
-    return f"{found}: {proof}" if proof else f"{found} (proved)"
+    if part.certified:
+        found += ", certified"
+    elif part.certified is not None:
+        found += f" by search, not certified ({part.uncertified})"
+    return f"{found}: {proof}" if proof else found
+
+
+def uncertified(answer: Singularities) -> str:
+    """What complete lists rest on where no certificate was asked for; else empty."""
+    parts: list[
+        LimbSingularities | ConstraintSingularities | ActuationSingularities
+    ] = [*answer.limb, answer.constraint]
+    if answer.actuation is not None and answer.actuation.admissible:
+        parts.append(answer.actuation)
+    if answer.slice is not None or all(part.certified is not None for part in parts):
+        return ""
+    if not any(part.complete for part in parts):
+        return ""
+    return (
+        "complete and never: as far as the search is right; --certificate FILE looks "
+        "for proofs that `verify` checks"
+    )
 
 
 def listing(

@@ -45,8 +45,9 @@ def singularities_summary(answer: Singularities) -> str:
     parts = [f"The singular loci have {counted(limb, 'limb component')}"]
     drives = answer.actuation is not None and answer.actuation.admissible
     parts.append(f"{',' if drives else ' and'} {constraint}")
-    everything: list[bool] = [one.complete for one in answer.limb]
-    everything.append(answer.constraint.complete)
+    lists: list[
+        LimbSingularities | ConstraintSingularities | ActuationSingularities
+    ] = [*answer.limb, answer.constraint]
     if answer.actuation is not None:
         number = len(answer.actuation.components)
         locked = ", ".join(answer.actuation.actuated)
@@ -55,11 +56,18 @@ def singularities_summary(answer: Singularities) -> str:
             if answer.actuation.admissible
             else f"; locking {locked} does not stop the platform"
         )
-        everything.append(answer.actuation.complete)
+        if drives:
+            lists.append(answer.actuation)
     parts.append(
-        "; all lists are proved complete."
-        if all(everything)
-        else ". Where a list is not proved complete, this is said."
+        ". Where a list may lack something, this is said."
+        if not all(own.complete for own in lists)
+        else "; all lists are certified to be complete."
+        if all(own.certified for own in lists)
+        else "; all lists are complete as far as the search is right: no certificate "
+        "was asked for."
+        if all(own.certified is None for own in lists)
+        else "; all lists are complete as far as the search is right. Where a "
+        "certificate proves it, this is said."
     )
     return "".join(parts)
 

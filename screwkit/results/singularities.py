@@ -63,9 +63,12 @@ class LimbSingularities:
     """Where one limb's twist system loses rank.
 
     Attributes:
-        complete: Proved that there is no other component.
-        proof: The argument in words; empty where not complete.
+        complete: The search left out no case: there is no other component.
+        proof: How it was searched, in words; empty where not complete.
         reason: Why it is not complete; empty where it is.
+        certified: Whether a certificate carries a proof of that, which `verify` checks
+            from the mechanism alone; None where no certificate was asked for.
+        uncertified: Why it carries none; empty where it does.
     """
 
     limb: str
@@ -76,17 +79,21 @@ class LimbSingularities:
     intersections: tuple[Intersection, ...] = ()
     proof: str = ""
     reason: str = ""
+    certified: bool | None = None
+    uncertified: str = ""
 
 
 @dataclass(frozen=True)
 class ConstraintSingularities:
-    """Where the loop constraint matrix loses rank."""
+    """Where the loop constraint matrix loses rank; fields as of a limb."""
 
     generic_rank: int
     complete: bool
     components: tuple[Component, ...]
     proof: str = ""
     reason: str = ""
+    certified: bool | None = None
+    uncertified: str = ""
 
 
 @dataclass(frozen=True)
@@ -99,6 +106,7 @@ class ActuationSingularities:
         witness: For an inadmissible scheme: why.
         superbracket: Where six lines hold the platform: when they are dependent, by the
             points that they pass through.
+        complete, reason, certified, uncertified: As of a limb.
     """
 
     actuated: tuple[str, ...]
@@ -110,6 +118,8 @@ class ActuationSingularities:
     witness: str = ""
     reason: str = ""
     superbracket: Superbracket | None = None
+    certified: bool | None = None
+    uncertified: str = ""
 
 
 @dataclass(frozen=True, repr=False)
