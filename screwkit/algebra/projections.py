@@ -11,6 +11,7 @@ References: [CoxLittleOShea] §5.4 (the coordinate ring of a variety).
 from __future__ import annotations
 
 from collections.abc import Collection
+from itertools import combinations
 
 from screwkit.algebra.substitution import Substitution, linear_parts
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
@@ -30,30 +31,46 @@ def projection(
 
     Returns:
         Images that meet the condition everywhere and are the symbols themselves where
-        it holds; None where no two symbols have coefficients of constant square.
+        it holds; None where no two or three symbols have coefficients of constant
+        square.
     """
+    gens = ring.context.gens()
+    found = _normal(ring, condition, kept)
+    if found is None:
+        return None
+    normal, square = found
+    images = tuple(
+        (i, ring.normal(gens[i] * square - factor * condition))
+        for i, factor in normal.items()
+    )
+    return Substitution(images, square)
+
+
+def normal_of(
+    ring: TrigonometricRing, condition: Polynomial, kept: Collection[int] = ()
+) -> list[Polynomial]:
+    """The coefficients that `projection` goes by; empty where it has none."""
+    found = _normal(ring, condition, kept)
+    return [] if found is None else list(found[0].values())
+
+
+def _normal(
+    ring: TrigonometricRing, condition: Polynomial, kept: Collection[int]
+) -> tuple[dict[int, Polynomial], Polynomial] | None:
+    """Coefficients by symbol, and the sum of their squares, a number."""
     if condition.is_constant() or len(condition) > _TERMS:
         return None
     degrees = condition.degrees()
     symbols = [i for i in ring.symbol_indices() if degrees[i] == 1 and i not in kept]
-    normals = {i: linear_parts(ring, condition, i)[0] for i in symbols}
+    factors = {i: linear_parts(ring, condition, i)[0] for i in symbols}
     free = [
         i
-        for i, factor in normals.items()
+        for i, factor in factors.items()
         if not factor.is_constant() and not any(factor.degrees()[k] for k in symbols)
     ]
-    for one in free:
-        for two in free[free.index(one) + 1 :]:
-            square = ring.normal(normals[one] ** 2 + normals[two] ** 2)
+    for size in (2, 3):
+        for chosen in combinations(free, size):
+            square = ring.normal(sum((factors[i] ** 2 for i in chosen), ring.zero))
             if square.is_constant():
-                images = tuple(
-                    (
-                        i,
-                        ring.normal(
-                            ring.context.gens()[i] * square - normals[i] * condition
-                        ),
-                    )
-                    for i in (one, two)
-                )
-                return Substitution(images, square)
+                return {i: factors[i] for i in chosen}, square
     return None

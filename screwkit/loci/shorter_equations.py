@@ -71,6 +71,13 @@ def remainders(
 
     None is longer than the equation was.
     """
+    yield from map(primitive, differences(root, equation, others))
+
+
+def differences(
+    root: Branch, equation: Polynomial, others: Sequence[Polynomial]
+) -> Iterator[Polynomial]:
+    """`remainders` as they are, not freed from numbers."""
     if len(equation) > TERMS:
         return
     for other in others:
@@ -84,7 +91,7 @@ def remainders(
             seen.add(key)
             left = root.ring.normal(equation - quotient * other)
             if left != 0 and len(left) <= len(equation):
-                yield primitive(left)
+                yield left
 
 
 def _quotients(one: Polynomial, two: Polynomial) -> Iterator[Polynomial]:

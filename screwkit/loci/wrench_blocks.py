@@ -15,19 +15,27 @@ References: [CoxLittleOShea] §9.1; [DulmageMendelsohn1958] (block triangles).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import Point, residue
-from screwkit.algebra.projections import projection
+from screwkit.algebra.projections import normal_of, projection
 from screwkit.algebra.search import Search
 from screwkit.algebra.substitution import substituted
 from screwkit.algebra.trigonometric import Polynomial, content
-from screwkit.kinematics.limb_parts import Parts, SideBySide, motion_at
+from screwkit.kinematics.limb_parts import (
+    Parts,
+    SideBySide,
+    columns_of,
+    mapped,
+    motion_at,
+)
 from screwkit.loci.limb_extensors import Minor, primitive_extensor
+from screwkit.loci.limb_systems import Extensor, UnclearError, limb_system
 from screwkit.loci.rank_drop import extensors
+from screwkit.loci.shorter_equations import differences
 from screwkit.loci.wrench_sums import wrenches_overlap
 from screwkit.loci.wrench_vectors import Vector, overlap_minors, spanning_wrenches
 
@@ -44,13 +52,13 @@ def block_minors(
 
     Args:
         branch: Where the limbs' wrenches are taken.
-        limbs: Serial ones, each of one rank where it is looked at.
+        limbs: Each of one rank where it is looked at.
         height: Coordinates of a twist.
         search: Factors that are known.
 
     Returns:
-        None where the wrenches are no such blocks, or too long, where a limb has loops
-        inside, or none of them is redundant (for `reciprocal_meets` is shorter then).
+        None where the wrenches are no such blocks, or too long, or none of them is
+        redundant (for `reciprocal_meets` is shorter then).
     """
     if not branch.points:
         return None
@@ -74,33 +82,67 @@ def _wrenches(
     branch: Branch, limb: Parts, height: int, at: tuple[Point, int], search: Search
 ) -> list[Vector] | None:
     """That span the wrenches of a limb wherever it has its rank on the branch."""
-    columns = [branch.column(p) for p in limb if not isinstance(p, SideBySide)]
     size = motion_at(limb, height, *at).dimension
     if size == height:
         return []
-    if len(columns) < len(limb) or not size:
+    if not size:
         return None
+    parts: Parts = mapped(limb, branch.column)
     for pending in branch.pending:
-        columns = _on_condition(branch, columns, pending.value)
+        parts = _on_condition(branch, parts, pending.value)
     point, prime = at
-    for chart in extensors(branch, columns, size, search.library):
+    for chart in _charts(branch, parts, height, size, search):
         if any(residue(value, point, prime) for value in chart.values()):
-            return spanning_wrenches(branch, chart, height, size, search.library)
+            found = spanning_wrenches(branch, chart, height, size, search.library)
+            return [_shortest_on_conditions(branch, vector) for vector in found]
     return None
 
 
-def _on_condition(
-    branch: Branch, columns: list[list[Polynomial]], condition: Polynomial
-) -> list[list[Polynomial]]:
-    """Columns where a condition of their own unknowns holds."""
-    degrees = [entry.degrees() for column in columns for entry in column]
+def _charts(
+    branch: Branch, parts: Parts, height: int, size: int, search: Search
+) -> Iterable[Extensor]:
+    columns = [part for part in parts if not isinstance(part, SideBySide)]
+    if len(columns) == len(parts):
+        return extensors(branch, columns, size, search.library)
+    try:
+        return [limb_system(branch, parts, height, search.library).extensor]
+    except UnclearError:
+        return []
+
+
+def _on_condition(branch: Branch, parts: Parts, condition: Polynomial) -> Parts:
+    """Parts of a limb where a condition of their own unknowns holds."""
+    degrees = [entry.degrees() for column in columns_of(parts) for entry in column]
     own = {k for d in degrees for k, degree in enumerate(d) if degree > 0}
     if any(d > 0 and k not in own for k, d in enumerate(condition.degrees())):
-        return columns
+        return parts
     step = projection(branch.ring, condition, branch.dimensions)
     if step is None:
-        return columns
-    return [substituted(branch.ring, column, step) for column in columns]
+        return parts
+    return mapped(parts, lambda column: substituted(branch.ring, column, step))
+
+
+def _shortest_on_conditions(branch: Branch, vector: Vector) -> Vector:
+    """The same vector where the pending conditions hold, in fewer terms.
+
+    Taken to a condition its entries grow by multiples of that with the normal.
+    """
+    multiples = [
+        branch.ring.normal(one * pending.value)
+        for pending in branch.pending
+        for one in (branch.ring.one, *normal_of(branch.ring, pending.value))
+    ]
+    return tuple(_shortest(branch, entry, multiples) for entry in vector)
+
+
+def _shortest(branch: Branch, entry: Polynomial, zeros: Minors) -> Polynomial:
+    best = entry
+    while len(best) > 1:
+        shorter = min(differences(branch, best, zeros), key=len, default=best)
+        if len(shorter) == len(best):
+            break
+        best = shorter
+    return best
 
 
 def _alternatives(
