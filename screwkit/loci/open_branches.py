@@ -30,7 +30,7 @@ def lying_where(ring: TrigonometricRing, places: Sequence[Sequence[Polynomial]])
             limb is singular.
     """
     written = [
-        " and ".join(f"{text(ring, e)} = 0" for e in equations)
+        " and ".join(f"{_text(ring, e)} = 0" for e in equations)
         if equations
         else "no limb is singular"
         for equations in places
@@ -43,3 +43,9 @@ def lying_where(ring: TrigonometricRing, places: Sequence[Sequence[Polynomial]])
     if more == 1:
         others = ", or where one other set of conditions holds"
     return f"they lie where {', or where '.join(short)}{others}"
+
+
+def _text(ring: TrigonometricRing, equation: Polynomial) -> str:
+    """Up to its sign."""
+    found = text(ring, equation)
+    return text(ring, -equation) if found.startswith("-") else found

@@ -239,7 +239,9 @@ def test_what_is_left_is_placed_by_the_conditions_of_the_limbs() -> None:
     assembly = sk.load("dual_planar_arm").assembly
     ring = assembly.common_twists.ring
     a, b = (ring.cosine_sine(name)[1] for name in ("qA2", "qB2"))
-    assert lying_where(ring, [[a, b]]) == "they lie where sin(qA2) = 0 and sin(qB2) = 0"
+    assert (
+        lying_where(ring, [[a, -b]]) == "they lie where sin(qA2) = 0 and sin(qB2) = 0"
+    )
     assert lying_where(ring, [[], [a]]) == (
         "they lie where no limb is singular, or where sin(qA2) = 0"
     )
