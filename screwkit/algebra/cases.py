@@ -16,6 +16,7 @@ from screwkit.algebra.elimination import half_angle_steps
 from screwkit.algebra.factors import Factor, FactorLibrary, factor
 from screwkit.algebra.implied import LONGEST, eliminants, resolvents
 from screwkit.algebra.real_zeros import vanishing_together
+from screwkit.algebra.substitution import reduced
 from screwkit.algebra.trigonometric import Polynomial
 
 SHORT = 200
@@ -76,7 +77,8 @@ def _with_resolvents(branch: Branch, left: Sequence[Polynomial]) -> list[Polynom
     if branch.pending:
         return list(left)
     known = {str(p) for p in left}
-    fresh = [p for p in resolvents(branch.ring, left) if str(p) not in known]
+    implied = reduced(resolvents(branch.ring, left), branch.steps)
+    fresh = [p for p in implied if p != 0 and str(p) not in known]
     return sorted([*left, *fresh], key=len)
 
 
@@ -107,7 +109,10 @@ def implied_cases(
     for one, two in combinations([p.value for p in branch.pending], 2):
         if max(len(one), len(two)) > LONGEST:
             continue
-        for polynomial in eliminants(branch.ring, one, two):
+        # Squares in them may be known: of an angle that is fixed by numbers.
+        for polynomial in reduced(eliminants(branch.ring, one, two), branch.steps):
+            if polynomial == 0:
+                continue
             if len(polynomial) > largest:
                 break
             cases = possible_factors(branch, polynomial, library)

@@ -62,17 +62,30 @@ def reduced(
     """Polynomials modulo the relations of some steps.
 
     A step may bring powers of a generator back in which an earlier step has a relation.
+    Normal forms write the square of a sine by the cosine: of an angle whose cosine is a
+    number that one is put in again.
     """
     found = list(values)
     for step in steps:
         if step.relation is None:
             continue
+        for index, image in step.images:
+            found = [_replaced(v, index, image) for v in found]
         for index, degree, relation in (step.relation, *step.field):
             found = [
                 divmod(v, relation)[1] if v != 0 and v.degrees()[index] >= degree else v
                 for v in found
             ]
     return found
+
+
+def _replaced(value: Polynomial, index: int, image: Polynomial) -> Polynomial:
+    """A generator replaced where it occurs."""
+    if value == 0 or not value.degrees()[index]:
+        return value
+    gens = list(value.context().gens())
+    gens[index] = image
+    return value.compose(*gens)
 
 
 def power_of(values: Sequence[Polynomial], step: Substitution) -> int:

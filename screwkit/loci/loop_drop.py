@@ -28,7 +28,7 @@ from screwkit.kinematics.loop_state import LoopState, state_of
 from screwkit.loci.dependence import dependent_zeros
 from screwkit.loci.features import listed
 from screwkit.loci.local_codimension import codimension_around
-from screwkit.loci.open_branches import undecided
+from screwkit.loci.open_branches import lying_where, undecided
 from screwkit.loci.pieces import (
     Piece,
     lies_in,
@@ -57,6 +57,7 @@ class LoopDrop:
         searched: All pieces up to this codimension are among ``pieces`` or ``open``;
             None where there is no such limit.
         unsearched: Number of combinations of strata beyond that.
+        where: In what postures the open branches lie, in words.
         around: Codimensions of components that are not among ``pieces``, for a part of
             each was found: the locus is smooth there, and larger.
     """
@@ -67,6 +68,7 @@ class LoopDrop:
     searched: int | None = None
     unsearched: int = 0
     around: tuple[int, ...] = ()
+    where: str = ""
 
     @property
     def complete(self) -> bool:
@@ -84,6 +86,7 @@ class LoopDrop:
             )
         if self.open:
             reasons.append(undecided(self.open))
+            reasons += [self.where] if self.where else []
         if self.searched is not None:
             reasons.append(
                 f"all pieces up to codimension {self.searched} were searched; "
@@ -115,6 +118,7 @@ class _Walk:
     given: Sequence[Piece] = ()
     found: list[Branch] = field(default_factory=list)
     open: list[Branch] = field(default_factory=list)
+    places: list[tuple[list[Polynomial], list[Branch]]] = field(default_factory=list)
     signatures: dict[str, Branch] = field(default_factory=dict)
     alike: list[tuple[Branch, Branch]] = field(default_factory=list)
     pieces: list[Piece] = field(default_factory=list)
@@ -179,8 +183,11 @@ def loop_drop(
             searched = sum(s.codimension for s in chosen) - 1
             unsearched = len(combinations) - position
             break
-        known = len(walk.found)
+        known, left_open = len(walk.found), len(walk.open)
         _visit(root, chosen, walk)
+        if walk.open[left_open:]:
+            conditions = [e for stratum in chosen for e in stratum.equations]
+            walk.places.append((conditions, walk.open[left_open:]))
         if len(walk.found) > known:
             early(walk.pieces, generic)
     found = pieces_of([*walk.found, *_other_sheets(walk.found, walk.alike)])
@@ -196,7 +203,18 @@ def loop_drop(
         if not any(surely_in(branch, piece) for piece in pieces)
     )
     around = tuple(size for _, size in parts)
-    return LoopDrop(generic, tuple(pieces), open_left, searched, unsearched, around)
+    kept = {branch.texts for branch in open_left}
+    told = [
+        (equations, {branch.texts for branch in branches})
+        for equations, branches in walk.places
+    ]
+    places = [equations for equations, own in told if own & kept]
+    # Words that do not speak of every open branch would mislead.
+    is_whole = kept <= set().union(*(own for _, own in told))
+    where = lying_where(root.ring, places) if is_whole else ""
+    return LoopDrop(
+        generic, tuple(pieces), open_left, searched, unsearched, around, where
+    )
 
 
 def _told_from_parts(

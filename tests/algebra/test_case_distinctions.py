@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import pytest
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch, Pending, restricted
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.division import Divisor
+from screwkit.algebra.elimination import steps_of
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.implied import eliminants
@@ -17,6 +20,7 @@ from screwkit.algebra.points import residue
 from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.search import Decomposition, Search, refined
 from screwkit.algebra.splitting import split
+from screwkit.algebra.substitution import reduced
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.taken_apart import taken_apart
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
@@ -350,3 +354,43 @@ def test_what_a_known_piece_says_is_not_found_again() -> None:
     search = Search(FactorLibrary(ring), away=(known,))
     (found,) = common_zeros(Branch(ring, POSITIVE), [product], search).branches
     assert found.conditions in ((other,), (-other,))
+
+
+def test_an_angle_that_a_number_fixes_is_not_fixed_again() -> None:
+    """Normal forms write sin² q by cos q, which is known: 1 − 9/100."""
+    ring, (first, second, third) = polynomials(
+        "10*cos(q) + 3", "5*sin(p)*sin(q) + 2", "50*cos(p)*sin(q) + 25*sqrt(3)"
+    )
+    (fixed,) = restricted(Branch(ring, POSITIVE), first)
+    _, sine = ring.cosine_sine("q")
+    (left,) = reduced([ring.normal(sine * sine)], fixed.steps)
+    assert left == ring.rational(Fraction(91, 100))
+    found = common_zeros(
+        Branch(ring, POSITIVE), [first, second, third], Search(FactorLibrary(ring))
+    )
+    for branch in (*found.branches, *found.open):
+        assert len({str(c) for c in branch.conditions}) == branch.codimension <= 3
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        # tan q = 7/√2 and (7 − √2)/√2: the roots of 51 and 53 − 14 √2 are not in Q(√2).
+        ("sqrt(2)*sin(q) - 7*cos(q)", 1),
+        ("sqrt(2)*sin(q) - (7 - sqrt(2))*cos(q)", 1),
+        # A common factor hides that sin q = ±4/5: two sheets would be one.
+        ("(3 + 3*sqrt(2))*sin(q) + (4 + 4*sqrt(2))*cos(q)", None),
+        ("sin(q) - 2*sqrt(2)*cos(q)", 2),
+    ],
+)
+def test_irrational_numbers_fix_an_angle(text: str, count: int | None) -> None:
+    ring, (condition,) = polynomials(text)
+    steps = steps_of(ring, POSITIVE, condition)
+    assert (None if steps is None else len(steps)) == count
+    if count == 1:
+        (branch,) = restricted(Branch(ring, POSITIVE), condition)
+        assert branch.points
+        assert not any(residue(condition, *at) for at in branch.points)
+        cosine, _ = ring.cosine_sine("q")
+        if text.endswith("7*cos(q)"):
+            assert branch.value(51 * cosine * cosine - 2) == 0

@@ -28,6 +28,7 @@ from screwkit.kinematics.told_parts import told_parts
 from screwkit.loci.dependence import Dependence, dependent_zeros
 from screwkit.loci.local_codimension import codimension_around
 from screwkit.loci.loop_drop import loop_drop
+from screwkit.loci.open_branches import lying_where
 from screwkit.loci.rank_drop import extensors
 from screwkit.loci.standing_screws import standing_minors, standing_screws
 from screwkit.loci.strata import in_ring, limb_strata
@@ -231,3 +232,20 @@ def test_a_search_that_ends_on_a_part_does_not_list_it(
     assert not answer.complete
     assert not answer.components
     assert "components of codimension 4 of which parts were found" in answer.reason
+
+
+def test_what_is_left_is_placed_by_the_conditions_of_the_limbs() -> None:
+    """Short conditions are written; long ones and those beyond three are counted."""
+    assembly = sk.load("dual_planar_arm").assembly
+    ring = assembly.common_twists.ring
+    a, b = (ring.cosine_sine(name)[1] for name in ("qA2", "qB2"))
+    assert (
+        lying_where(ring, [[a, -b]]) == "they lie where sin(qA2) = 0 and sin(qB2) = 0"
+    )
+    assert lying_where(ring, [[], [a]]) == (
+        "they lie where no limb is singular, or where sin(qA2) = 0"
+    )
+    assert lying_where(ring, [[a]] * 5).endswith(
+        "or where 2 other sets of conditions hold"
+    )
+    assert lying_where(ring, [[a] * 40]) == ""
