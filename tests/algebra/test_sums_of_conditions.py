@@ -29,7 +29,7 @@ def holds(
 
 
 def test_minors_of_columns_that_depend_follow_from_the_others() -> None:
-    """Columns (1, x_i, p_i): Σ ±M_i = 0 and Σ ±p_i M_i = 0 for the minors M_i without i.
+    """Columns (1, x_i, p_i): Σ ±M_i = 0 and Σ ±p_i M_i = 0 for minors M_i without i.
 
     So (p0 − p1)·M_1 is a sum of multiples of M_2 and M_3 with M_0 taken out, and no
     number times M_1 is one of M_2 and M_3.

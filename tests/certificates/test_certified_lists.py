@@ -1,4 +1,4 @@
-"""Proofs where the geometry takes square roots and divides, and lists without one."""
+"""Lists that are certified, and lists that are not: roots, divisors, pairs of equations."""
 
 from __future__ import annotations
 
@@ -125,3 +125,11 @@ def test_a_list_without_a_proof_is_not_called_certified(
     assert searched.limb[0].complete
     assert searched.limb[0].certified is False
     assert "complete by search, not certified (nothing was tried)" in str(searched)
+
+
+def test_a_component_that_starts_with_a_pair_in_half_angles_has_postures() -> None:
+    """Its first two equations are one condition times sin ½φ and cos ½φ."""
+    arm = screwkit.singularities(screwkit.load("panda"), certificate=True)
+    (limb,) = arm.limb
+    assert any(len(c.equations) > c.codimension for c in limb.components)
+    assert limb.certified, limb.uncertified
