@@ -1,4 +1,4 @@
-"""Lists that are certified, and lists that are not: roots, divisors, pairs of equations."""
+"""Which lists are certified: roots, divisors, pairs of equations; and no proof."""
 
 from __future__ import annotations
 
