@@ -313,6 +313,15 @@ class PartDerivation:
         self, equations: tuple[Polynomial, ...], codimension: int
     ) -> list[Branch]:
         """The sheets of a component, those of special dimensions left out."""
+        # A pair in half angles may stand first, and be a single condition.
+        return self._sheets(equations, codimension) or self._sheets(
+            sorted(equations, key=len), codimension
+        )
+
+    def _sheets(
+        self, equations: Sequence[Polynomial], codimension: int
+    ) -> list[Branch]:
+        """As many equations imposed, in this order, as the codimension says."""
         search = Search(self._library)
         branches = [self._root]
         for equation in equations:

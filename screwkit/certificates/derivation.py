@@ -26,7 +26,7 @@ from screwkit.certificates.conditions import (
     with_conditions,
 )
 from screwkit.certificates.limb_offers import limb_offers
-from screwkit.certificates.offer_choice import Choice, OfferChoice
+from screwkit.certificates.offer_choice import LONGEST, Choice, OfferChoice
 from screwkit.certificates.offers import minor_offers
 from screwkit.certificates.records import Case, Node, Sheet, Unsolved
 from screwkit.certificates.roots import NotProvedError
@@ -56,6 +56,9 @@ NODES_OF_LIMBS = 1_200
 
 NODES_OF_LATE = 4_000
 """Nodes of one proof with late sums, which is looked for where others failed."""
+
+LONGEST_OF_LATE = 2_000
+"""Terms of a minor that is factored in such a proof: its many nodes are to be quick."""
 
 MIXED = 3
 """Unsolved conditions from which on no further one is added to tell postures apart."""
@@ -351,5 +354,6 @@ def proof_of(problem: Problem, *, asks_limbs: bool, late: bool = False) -> Node:
         raise NotProvedError("the mechanism has no exact posture")
     rank = max(problem.matrix.rank_at(*at) for at in points)
     start = with_conditions(problem.root, problem.demands)
-    search = ProofSearch(problem, rank, asks_limbs, late)
+    longest = LONGEST_OF_LATE if late else LONGEST
+    search = ProofSearch(problem, rank, asks_limbs, late, longest=longest)
     return search.node(Place(start, problem.demands))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from screwkit.algebra.factors import Factor
@@ -44,7 +44,13 @@ class Choice:
 
 @dataclass
 class OfferChoice(Endings):
-    """Chooses between products by what is left to be done on their cases."""
+    """Chooses between products by what is left to be done on their cases.
+
+    Attributes:
+        longest: Terms of a minor that is factored.
+    """
+
+    longest: int = field(default=LONGEST, kw_only=True)
 
     def chosen(self, place: Place, offers: Iterable[Offer]) -> Choice:
         """The offer that leaves the fewest cases.
@@ -55,7 +61,7 @@ class OfferChoice(Endings):
         branch = place.branch
         candidates: list[_Candidate] = []
         for offer in offers:
-            factors = self.product(branch, offer.parts, LONGEST)
+            factors = self.product(branch, offer.parts, self.longest)
             if factors is not None:
                 factors = with_whole_equations(self, place, factors)
                 if self.is_held(place, factors):

@@ -144,7 +144,7 @@ def uncertified(answer: Singularities) -> str:
     ] = [*answer.limb, answer.constraint]
     if answer.actuation is not None and answer.actuation.admissible:
         parts.append(answer.actuation)
-    if answer.slice is not None or all(part.certified is not None for part in parts):
+    if answer.slice is not None or answer.certificate is not None:
         return ""
     if not any(part.complete for part in parts):
         return ""

@@ -58,14 +58,15 @@ def singularities_summary(answer: Singularities) -> str:
         )
         if drives:
             lists.append(answer.actuation)
+    certified = [own.certified for own in lists if own.certified is not None]
     parts.append(
         ". Where a list may lack something, this is said."
         if not all(own.complete for own in lists)
         else "; all lists are certified to be complete."
-        if all(own.certified for own in lists)
+        if certified and all(certified)
         else "; all lists are complete as far as the search is right: no certificate "
         "was asked for."
-        if all(own.certified is None for own in lists)
+        if not certified
         else "; all lists are complete as far as the search is right. Where a "
         "certificate proves it, this is said."
     )

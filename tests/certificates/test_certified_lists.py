@@ -1,0 +1,135 @@
+"""Which lists are certified: roots, divisors, pairs of equations; and no proof."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+import screwkit
+from screwkit.case import load_text
+from screwkit.certificates.checking import check
+from screwkit.certificates.roots import NotProvedError
+from screwkit.certificates.texts import RefusedError
+from screwkit.certificates.written import from_text
+from screwkit.results.singularities import Singularities
+
+ARM = """
+screwkit: 1
+name: arm
+space: planar
+geometry: posture
+base: ground
+platform: hand
+links: [ground, upper, fore, hand]
+parameters:
+  r: {value: 3, positive: true}
+  s: {value: 4, positive: true}
+variables: {u: 5, v: 1}
+vectors:
+  w: [u, v]
+  n: [-v, u]
+points:
+  D: [0, 0]
+  W: [u, v]
+  E: "(dot(w, w) + r^2 - s^2)/(2*dot(w, w))*w
+    + sqrt(r^2/dot(w, w) - ((dot(w, w) + r^2 - s^2)/(2*dot(w, w)))^2)*n"
+joints:
+  - {name: "1", type: revolute, parent: ground, child: upper, point: D}
+  - {name: "2", type: revolute, parent: upper, child: fore, point: E}
+  - {name: "3", type: revolute, parent: fore, child: hand, point: W}
+actuated: ["1", "2"]
+"""
+
+
+@cache
+def answered(folder: Path) -> Singularities:
+    file = folder / "arm.yaml"
+    file.write_text(ARM, "utf-8")
+    return screwkit.singularities(screwkit.load(file), certificate=True)
+
+
+@pytest.fixture(scope="module")
+def answer(tmp_path_factory: pytest.TempPathFactory) -> Singularities:
+    return answered(tmp_path_factory.getbasetemp())
+
+
+def test_an_arm_whose_elbow_is_a_square_root_is_certified(
+    answer: Singularities,
+) -> None:
+    """By hand: stretched or folded, the hand is r + s or |r − s| from the shoulder."""
+    limb = answer.limb[0]
+    assert limb.certified
+    wanted = {"r^2 + 2*r*s + s^2 - u^2 - v^2", "r^2 - 2*r*s + s^2 - u^2 - v^2"}
+    assert {equation for c in limb.components for equation in c.equations} == wanted
+    assert "complete, certified" in str(answer)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        # Another length than the one that the geometry divides by.
+        ('"x^2 + y^2"], "power": 2', '"x^2 + 2*y^2"], "power": 2'),
+        # No divisor has that number.
+        ('"divisor": {"equation": 1', '"divisor": {"equation": 7'),
+        # The root of something else.
+        ("sqrt(r^2", "sqrt(2*r^2"),
+        # A factor less.
+        ("u^4*sqrt", "u^2*sqrt"),
+    ],
+)
+def test_another_divisor_or_root_is_refused(
+    answer: Singularities, old: str, new: str
+) -> None:
+    certificate = answer.certificate or ""
+    old, new = (text.replace("x^", "u^").replace("y^", "v^") for text in (old, new))
+    assert old in certificate
+    forged = json.loads(certificate)
+    forged["parts"] = json.loads(json.dumps(forged["parts"]).replace(old, new))
+    case = load_text(ARM)
+    check(from_text(certificate), case.mechanism, 3)
+    with pytest.raises(RefusedError):
+        check(from_text(json.dumps(forged)), case.mechanism, 3)
+
+
+def test_nothing_may_be_called_undefined_that_is_not(answer: Singularities) -> None:
+    """The root itself, 0 where the arm is stretched, is no divisor."""
+    forged = json.loads(answer.certificate or "")
+    undefined, root = forged["parts"][0]["proof"]["cases"]
+    if undefined.get("end") != "undefined":
+        undefined, root = root, undefined
+    del root["kept"]
+    root |= {"end": "undefined", "divisor": undefined["divisor"]}
+    with pytest.raises(RefusedError, match="in no divisor"):
+        check(from_text(json.dumps(forged)), load_text(ARM).mechanism, 3)
+
+
+def test_a_list_without_a_proof_is_not_called_certified(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = tmp_path / "arm.yaml"
+    file.write_text(ARM, "utf-8")
+    case = screwkit.load(file)
+    plain = screwkit.singularities(case)
+    assert plain.limb[0].complete
+    assert plain.limb[0].certified is None
+    assert "--certificate FILE looks for proofs" in str(plain)
+
+    def fails(*_: object, **__: object) -> None:
+        raise NotProvedError("nothing was tried")
+
+    monkeypatch.setattr("screwkit.certificates.certification.proof_of", fails)
+    searched = screwkit.singularities(case, certificate=True)
+    assert searched.limb[0].complete
+    assert searched.limb[0].certified is False
+    assert "complete by search, not certified (nothing was tried)" in str(searched)
+
+
+def test_a_component_that_starts_with_a_pair_in_half_angles_has_postures() -> None:
+    """Its first two equations are one condition times sin ½φ and cos ½φ."""
+    arm = screwkit.singularities(screwkit.load("panda"), certificate=True)
+    (limb,) = arm.limb
+    assert any(len(c.equations) > c.codimension for c in limb.components)
+    assert limb.certified, limb.uncertified
