@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from functools import partial
 from typing import Any
 
 import pytest
@@ -119,7 +120,7 @@ def test_layouts_that_are_met_often_have_the_same_values() -> None:
     laid = laid_out(expression)
     for seed in range(9):
         ring = ModularRing(seed)
-        value = laid.at(ring.prime, lambda atom, r=ring: evaluate(atom, r))
+        value = laid.at(ring.prime, partial(evaluate, ring=ring))
         assert value == int(evaluate(expression, ring))
     assert callable(laid.polynomials[ModularRing(0).prime])
 
