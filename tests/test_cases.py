@@ -34,20 +34,23 @@ QUESTIONS: dict[str, Callable[..., Any]] = {
 }
 
 
+loaded = cache(load)  # frozen; collecting alone asks for each several times
+
+
 def claims() -> Iterator[Any]:
     """The claims of every file and of every variant in it."""
     for name in bundled_cases():
-        variants = (f"{name}#{variant}" for variant in load(name).variants)
+        variants = (f"{name}#{variant}" for variant in loaded(name).variants)
         for case in (name, *variants):
             together = pytest.mark.xdist_group(case)  # one process answers
-            for claim in load(case).claims:
+            for claim in loaded(case).claims:
                 said = f"{case}:{claim.question}"
                 yield pytest.param(case, claim, id=said, marks=together)
 
 
 @cache
 def answer(name: str, question: str) -> Any:
-    return part_to_json(QUESTIONS[question](load(name)))["value"]
+    return part_to_json(QUESTIONS[question](loaded(name)))["value"]
 
 
 def section(claim: Claim) -> str:
@@ -102,6 +105,6 @@ def test_agreement(
 def test_claims_of_variants_replace_those_of_the_file() -> None:
     named = [param.values[0] for param in claims()]
     for name in bundled_cases():
-        for variant in load(name).variants:
+        for variant in loaded(name).variants:
             own = load(name, variant=variant).claims
             assert named.count(f"{name}#{variant}") == len(own)

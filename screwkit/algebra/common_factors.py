@@ -38,9 +38,8 @@ def without_common_factors(
         column: Not all zero.
         library: Of the same ring; reuse one for several columns.
     """
-    return _KNOWN.answer(
-        library or ring, column, None, lambda: _without(ring, column, library)
-    )
+    owner = ring if library is None else library
+    return _KNOWN.answer(owner, column, None, lambda: _without(ring, column, library))
 
 
 def _without(

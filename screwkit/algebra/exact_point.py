@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping, Sequence
-from copy import copy
 
 from flint import nmod, nmod_mat, nmod_poly
 
@@ -67,7 +66,8 @@ class PointRing(ModularRing):
         numbers: Mapping[str, Residue] | None = None,
     ) -> PointRing:
         """The point with one basis angle or some symbols moved."""
-        other = copy(self)
+        other = object.__new__(type(self))  # as `copy` does, with less ado
+        vars(other).update(vars(self))
         if angle is not None and turn is not None:
             turns = list(self.turns)
             turns[angle] = turn

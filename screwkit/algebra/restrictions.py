@@ -12,6 +12,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
+from weakref import WeakKeyDictionary
 
 from flint import nmod_poly
 
@@ -47,7 +48,14 @@ class Layout:
 
     @classmethod
     def of(cls, ring: TrigonometricRing) -> Layout:
-        """The layout of a ring."""
+        """The layout of a ring, made once: a prime is sought for its numbers."""
+        known = _LAYOUTS.get(ring)
+        if known is None:
+            known = _LAYOUTS[ring] = cls._made(ring)
+        return known
+
+    @classmethod
+    def _made(cls, ring: TrigonometricRing) -> Layout:
         first, count = len(ring.extensions), len(ring.basis)
         angles = tuple((first + i, first + count + i) for i in range(count))
         after = first + 2 * count
@@ -280,6 +288,9 @@ def coefficients(
                 rest, power = rest / generator, power + 1
         parts = slices
     return parts
+
+
+_LAYOUTS: WeakKeyDictionary[TrigonometricRing, Layout] = WeakKeyDictionary()
 
 
 def _residue(coefficient: Any, p: int) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from functools import partial
 from typing import Any
 
 import pytest
@@ -108,6 +109,20 @@ def test_layouts_have_the_value_of_their_expression(text: str) -> None:
     value = evaluate(expression, ring)
     laid = laid_out(expression)
     assert laid.at(ring.prime, lambda atom: evaluate(atom, ring)) == int(value)
+
+
+def test_layouts_that_are_met_often_have_the_same_values() -> None:
+    """From some value on a polynomial of FLINT takes the place of the sum."""
+    expression = parse(
+        "3*a^2*sin(q) - 1/2*b*cos(q)^3 + 7*a - 5/3*b^2*c + a*b*c - c^4*sin(q) "
+        "+ (a + b - c)^2*b^-1 + a*cos(q) - a*cos(q) + 2*c"
+    )
+    laid = laid_out(expression)
+    for seed in range(9):
+        ring = ModularRing(seed)
+        value = laid.at(ring.prime, partial(evaluate, ring=ring))
+        assert value == int(evaluate(expression, ring))
+    assert callable(laid.polynomials[ModularRing(0).prime])
 
 
 def test_layouts_at_roots_have_the_values_at_each() -> None:

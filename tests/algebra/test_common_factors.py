@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
+from screwkit.algebra import common_factors
 from screwkit.algebra.common_factors import without_common_factors
 from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.factors import FactorLibrary, factor
 from screwkit.algebra.parse import parse
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
@@ -41,6 +45,27 @@ def test_a_shared_factor_is_divided_out(shared: str, rest: tuple[str, ...]) -> N
         for a, b in zip(one, other, strict=True):
             for c, d in zip(one, other, strict=True):
                 assert ring.normal(a * d - c * b) == 0
+
+
+def test_the_same_column_is_asked_once_for_each_library(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    ring, column = polynomials("a*sin(q)", "b*sin(q)", "sin(q)^2")
+    asked = []
+
+    def counted(*given: Any) -> Any:
+        asked.append(given)
+        return factor(*given)
+
+    monkeypatch.setattr(common_factors, "factor", counted)
+    first, second = FactorLibrary(ring), FactorLibrary(ring)
+    found = [
+        without_common_factors(ring, column, library)
+        for library in (first, second, first, None, None, second)
+    ]
+    assert len(asked) == 3
+    assert all(one == found[0] for one in found)
+    assert without_common_factors(ring, column[1:], first) != found[0]
 
 
 def test_columns_without_a_shared_factor_stay() -> None:

@@ -62,3 +62,26 @@ def test_roots_change_by_half_the_change_over_the_root() -> None:
     root = DualRing.along(point, {}, "x").of(parse("sqrt(x)"))
     assert root.value * root.value == 9
     assert root.change * 2 * root.value == 1
+
+
+def test_moved_points_are_like_new_ones() -> None:
+    """What is kept of a point where one angle or symbol is moved is what stays."""
+    declared = {"p": {0: 1, 1: -2}, "q": {1: 1}, "r": {2: 3}}
+    source = random.Random(5)
+    turns = [random_turn(source, P) for _ in range(3)]
+    field = ConstantField.needed_by([], 1)
+    texts = ("x*sin(p) + cos(q - r)", "x^2*sin(r) - sin(p + q)", "sqrt(x^4)*cos(r)")
+    point = PointRing(P, field, declared, turns, {"x": nmod(9, P)})
+    before = [point.value(parse(text)) for text in texts]
+    for angle in range(3):
+        turn = random_turn(source, P)
+        changed = [*turns[:angle], turn, *turns[angle + 1 :]]
+        moved = point.changed(angle, turn, {"x": nmod(4, P)})
+        new = PointRing(P, field, declared, changed, {"x": nmod(4, P)})
+        for text in texts:
+            assert moved.value(parse(text)) == new.value(parse(text))
+    moved = point.changed(numbers={"x": nmod(4, P)})
+    new = PointRing(P, field, declared, turns, {"x": nmod(4, P)})
+    for text, value in zip(texts, before, strict=True):
+        assert moved.value(parse(text)) == new.value(parse(text))
+        assert point.value(parse(text)) == value

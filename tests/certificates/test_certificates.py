@@ -12,7 +12,7 @@ import pytest
 
 import screwkit
 from screwkit.algebra.expression_building import symbols_of
-from screwkit.case import load_text
+from screwkit.case import find, load_text
 from screwkit.certificates.checking import check
 from screwkit.certificates.records import (
     Case,
@@ -284,6 +284,15 @@ def test_a_certificate_is_about_one_mechanism(tmp_path: Path) -> None:
     path = tmp_path / "certificate.json"
     path.write_text(certificate("3rpr_planar"), encoding="utf-8")
     assert not verify(None, str(path), "five_bar_15").accepted
+    case = tmp_path / "case.yaml"
+    own = find("3rpr_planar").read_text("utf-8")
+    for written, accepted in (
+        (own, True),
+        (f"# The same mechanism in another text.\n{own}", True),
+        (own.replace("[a2, 0", "[2*a2, 0", 1), False),
+    ):
+        case.write_text(written, "utf-8")
+        assert verify(None, str(path), str(case)).accepted == accepted
     document = json.loads(certificate("3rpr_planar"))
     text = document["mechanism"]["text"]
     # Another base point of a leg: the conditions are no longer those of the file.

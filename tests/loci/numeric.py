@@ -93,11 +93,13 @@ def limb_columns(
         turning = joint.type is JointType.REVOLUTE
         theta = cell["theta"] + (moved if turning else 0)
         r = cell["r"] + (0 if turning else moved)
-        at = at @ _screw(2, cell["gamma"], cell["b"])
+        if cell["gamma"] or cell["b"]:
+            at = at @ _screw(2, cell["gamma"], cell["b"])
         at = at @ _screw(0, cell["alpha"], cell["d"]) @ _screw(2, theta, r)
         axis, point = at[:3, 2], at[:3, 3]
         if turning:
-            columns.append([*axis, *np.cross(point, axis)])
+            (x, y, z), (p, q, s) = axis, point
+            columns.append([x, y, z, q * z - s * y, s * x - p * z, p * y - q * x])
         elif joint.type is JointType.PRISMATIC:
             columns.append([0, 0, 0, *axis])
     return np.array(columns, dtype=float).reshape(-1, 6).T

@@ -14,6 +14,23 @@ import numpy as np
 from loci.numeric import Array, Posture, value
 
 
+class LastOnes:
+    """What was computed at the last few points."""
+
+    def __init__(self) -> None:
+        self._known: dict[bytes, tuple[Array, list[Array]]] = {}
+
+    def at(
+        self, x: Array, computed: Callable[[Array], tuple[Array, list[Array]]]
+    ) -> tuple[Array, list[Array]]:
+        key = x.tobytes()
+        if key not in self._known:
+            if len(self._known) > 4:
+                self._known.clear()
+            self._known[key] = computed(x)
+        return self._known[key]
+
+
 def singular_postures(
     matrix: Callable[[Posture], Array],
     variables: Sequence[str],
@@ -34,17 +51,24 @@ def singular_postures(
     """
     source = np.random.default_rng(seed)
     count = len(variables)
+
+    def there(x: Array) -> tuple[Array, list[Array]]:
+        posture = {**constants, **dict(zip(variables, map(float, x), strict=True))}
+        families = [np.array([value(e, posture) for e in own]) for own in avoid]
+        return matrix(posture), families
+
+    # A step's slopes move one unknown at a time; most leave the posture where it is.
+    met = LastOnes()
     for _ in range(starts):
         mixes = [source.normal(size=len(family)) for family in avoid]
 
         def residuals(x: Array, mixes: list[Array] = mixes) -> Array:
-            posture = {**constants, **dict(zip(variables, map(float, x), strict=False))}
-            at = matrix(posture)
+            at, met_families = met.at(x[:count], there)
             null = x[count : count + at.shape[0]]
             shields = x[count + at.shape[0] :]
             off = [
-                u * float(mix @ np.array([value(e, posture) for e in family])) - 1
-                for u, mix, family in zip(shields, mixes, avoid, strict=True)
+                u * float(mix @ family) - 1
+                for u, mix, family in zip(shields, mixes, met_families, strict=True)
             ]
             return np.concatenate([null @ at, [null @ null - 1], off])
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from itertools import combinations
 
 import numpy as np
@@ -33,7 +33,7 @@ ON = 1e-5
 OFF = 1e-3
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Bundled:
     """A bundled case at lengths of its own."""
 
@@ -45,8 +45,14 @@ class Bundled:
         return self.assembly.mechanism.joint_variables
 
     def limbs_at(self, posture: Posture) -> list[Array]:
+        return [
+            _columns(self, x.joints, tuple(posture[v] for v in self.moving(x.joints)))
+            for x in self.assembly.limbs
+        ]
+
+    def moving(self, joints: Sequence[str]) -> list[str]:
         mechanism = self.assembly.mechanism
-        return [limb_columns(mechanism, x.joints, posture) for x in self.assembly.limbs]
+        return [v for joint in joints for v in mechanism.joint(joint).variables]
 
     def random_posture(self, seed: int) -> dict[str, float]:
         source = np.random.default_rng(seed)
@@ -55,6 +61,15 @@ class Bundled:
             **self.lengths,
             **dict(zip(self.variables, map(float, angles), strict=True)),
         }
+
+
+@lru_cache(maxsize=64)
+def _columns(
+    case: Bundled, joints: tuple[str, ...], values: tuple[float, ...]
+) -> Array:
+    """Of a limb; slopes along the variables of another one ask for them again."""
+    posture = {**case.lengths, **dict(zip(case.moving(joints), values, strict=True))}
+    return limb_columns(case.assembly.mechanism, joints, posture)
 
 
 @cache
