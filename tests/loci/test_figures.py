@@ -14,7 +14,7 @@ from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.figure_words import dependent, dependent_about
 from screwkit.loci.named_screws import AXIS, JOIN, SLIDE, NamedScrew, called
 from screwkit.loci.pieces import Piece
-from screwkit.loci.same_zeros import zeros_beside
+from screwkit.loci.same_zeros import LARGEST, zeros_beside
 
 PRIME = 2**31 - 1
 SOURCE = np.random.default_rng(4)
@@ -146,6 +146,13 @@ def test_zeros_elsewhere_are_seen() -> None:
     assert zeros_beside(piece, [x * y, x * y * (y + 1)], root, library) is None
     assert zeros_beside(piece, [x * y, x * (y + c)], root, library) == []
     assert zeros_beside(piece, [y], root, library) is None
+    names = ("y", "a2", "a3x", "a3y", "b2", "b3x", "b3y")
+    long = x + sum((ring.symbol(n) for n in names), ring.one) ** 6
+    assert len(long) > LARGEST
+    piece = Piece((long,), tuple(restricted(root, long)))
+    assert zeros_beside(piece, [long * 3], root, library) == []
+    assert zeros_beside(piece, [long * y], root, library) == [y]
+    assert zeros_beside(piece, [long + y], root, library) is None
 
 
 @pytest.mark.parametrize(
