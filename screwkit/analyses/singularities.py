@@ -105,7 +105,7 @@ def singularities(
 
     # Limbs that constrain nothing in general do so where several are singular at once:
     # deep, and long to search. What all want to know comes first.
-    if all(limb.generic_rank == assembly.dimension for limb in limbs):
+    if all(limb.generic_rank == len(assembly.telling) for limb in limbs):
         moving, constrained = actuation(), constraint()
     else:
         constrained, moving = constraint(), actuation()

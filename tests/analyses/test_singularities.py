@@ -278,15 +278,24 @@ def passive_at(at: Posture) -> list[np.ndarray]:
     ]
 
 
-def test_parts_are_given_as_soon_as_they_are_there() -> None:
-    """What is known when time runs out: limbs one by one, then constraints."""
+@pytest.mark.parametrize(
+    ("case", "then"),
+    [
+        ("five_bar_15", ["constraint", "actuation"]),
+        ("3rpr_planar", ["actuation", "constraint"]),  # its legs constrain nothing
+    ],
+)
+def test_parts_are_given_as_soon_as_they_are_there(case: str, then: list[str]) -> None:
+    """What is known when time runs out: limbs one by one, what is deep last."""
     parts: list[tuple[str, object]] = []
     answer = sk.singularities(
-        sk.load("five_bar_15"), finished=lambda name, part: parts.append((name, part))
+        sk.load(case), finished=lambda name, part: parts.append((name, part))
     )
     names = [f"limb {limb.limb}" for limb in answer.limb]
-    assert [name for name, _ in parts] == [*names, "constraint"]
-    assert [part for _, part in parts] == [*answer.limb, answer.constraint]
+    assert [name for name, _ in parts] == [*names, *then]
+    rest = {"actuation": answer.actuation, "constraint": answer.constraint}
+    wanted = [*answer.limb, *(rest[name] for name in then)]
+    assert [part for _, part in parts] == wanted
 
 
 def test_an_equation_whose_factors_are_not_certified_is_assumed_not_to_split() -> None:
