@@ -14,6 +14,7 @@ from typing import Any
 
 from flint import arb, ctx
 
+from screwkit.algebra.nonzero_numbers import is_nonzero_number
 from screwkit.algebra.remembered import remembered
 from screwkit.algebra.sturm import real_zeros
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, as_fraction
@@ -123,6 +124,8 @@ def _is_nonzero(
 ) -> bool:
     if polynomial.is_constant():
         return bool(polynomial != 0)
+    if ring.constant_angles and is_nonzero_number(ring, polynomial):
+        return True
     common = polynomial.term_content()
     known = assumed.of_generators(ring)
     for generator, exponent in zip(known, common.monoms()[0], strict=True):

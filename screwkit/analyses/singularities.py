@@ -348,9 +348,8 @@ def actuation_singularities(
         bracket = superbracket(assembly, actuated, [piece for piece, _ in moving])
     reason = locus.reason
     if bracket is not None and not locus.complete and not locus.pieces:
-        reason = "; ".join(
-            filter(None, [reason, six_lines_in_words(assembly, actuated)])
-        )
+        told = six_lines_in_words(assembly, actuated, bracket)
+        reason = "; ".join(filter(None, [reason, told]))
     return ActuationSingularities(
         actuated=tuple(actuated),
         admissible=locus.admissible,

@@ -19,17 +19,21 @@ from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.features import listed
 from screwkit.loci.figure_words import dependent
 from screwkit.loci.named_screws import NamedScrew, wrench_screws
+from screwkit.results.superbracket import Superbracket
 
 HIGHEST = 150
 """Degree up to which it is looked for."""
 
 
-def six_lines_in_words(assembly: Assembly, actuated: Sequence[str]) -> str:
+def six_lines_in_words(
+    assembly: Assembly, actuated: Sequence[str], bracket: Superbracket
+) -> str:
     """Where six lines that hold the platform are dependent, and of which degree.
 
     Args:
         assembly: The mechanism, the platform of which is held by six lines.
         actuated: Its admissible scheme.
+        bracket: Of these lines.
 
     Returns:
         To be said of a locus that is not written out; empty where no names are found.
@@ -40,8 +44,11 @@ def six_lines_in_words(assembly: Assembly, actuated: Sequence[str]) -> str:
         return ""
     at, prime = root.points[0]
     rows = [screw.at(at, prime) for screw in screws]
-    words = dependent(screws, 5, rows, prime)
-    if words is None:
+    words: str | None = " or ".join(
+        f.words for f in bracket.factors if f.holds != "never"
+    )
+    words = words or dependent(screws, 5, rows, prime)
+    if not words:
         return ""
     told = f"while limbs keep their ranks the platform moves only where {words}"
     degrees = list(_degrees(assembly, screws))

@@ -142,7 +142,7 @@ def _of_lines(features: Features[S]) -> Iterator[Statement]:
             words = f"{point.name} lies on axis {j}"
             yield Statement("on", words, (*point.own, j), _point_on_axis(p, j))
     for p, q in combinations(points, 2):
-        words = f"{features.points[p].name} and {_of(features, q)} coincide"
+        words = f"{features.points[p].name} and {_of(features, p, q)} coincide"
         joints = (*features.points[p].own, *features.points[q].own)
         yield Statement("coincide", words, joints, _points_coincide(p, q))
     for i, j in combinations(axes, 2):
@@ -187,8 +187,7 @@ def _of_three(features: Features[S]) -> Iterator[Statement]:
         if k in first.joints or k in second.joints:
             continue
         words = (
-            f"the line through {first.name} and that of {_of(features, q)} "
-            f"meets axis {k}"
+            f"the line through {first.name} and {_of(features, p, q)} meets axis {k}"
         )
         joints = (*first.own, *second.own, k)
         yield Statement("line meets", words, joints, _line_meets_axis(p, q, k))
@@ -212,9 +211,12 @@ def _adjacent(axes: Sequence[str], i: str, j: str) -> bool:
     return abs(axes.index(i) - axes.index(j)) == 1
 
 
-def _of(features: Features[S], number: int) -> str:
+def _of(features: Features[S], first: int, number: int) -> str:
+    """A point after another: ``the common point of … and that of axes 3 and 4``."""
     point = features.points[number]
-    return point.called or f"that of axes {listed(point.own)}"
+    if point.called or features.points[first].called:
+        return point.name
+    return f"that of axes {listed(point.own)}"
 
 
 def _same_line(i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:

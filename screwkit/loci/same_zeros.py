@@ -8,13 +8,20 @@ from itertools import islice
 from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.cases import possible_factors
 from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.division import Divisor
 from screwkit.algebra.factors import FactorLibrary
+from screwkit.algebra.half_angle import HalfAngles
+from screwkit.algebra.nowhere_zero import without_nowhere_zero
+from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.loci.pieces import Piece, lies_in
 
 LARGEST = 1_500
 """Terms of a polynomial that is factored for this."""
+
+LONGEST = 200_000
+"""Terms of a polynomial that is divided by the piece's own equation."""
 
 _SQUARED = 40  # terms of polynomials whose squares are added up
 _FACTORED = 8  # polynomials that are looked at one by one
@@ -38,7 +45,11 @@ def zeros_beside(
     """
     once = {str(v): v for v in map(primitive, filter(bool, scalars))}
     values = sorted(once.values(), key=len)
-    if not values or len(values[0]) > LARGEST:
+    if not values or len(values[0]) > LONGEST:
+        return None
+    if len(piece.equations) == 1 and len(values) == 1 and len(values[0]) > LARGEST:
+        return _beside_divided(values[0], piece.equations[0], root, library)
+    if len(values[0]) > LARGEST:
         return None
     if len(piece.equations) == 1:
         key = str(primitive(piece.equations[0]))
@@ -77,6 +88,37 @@ def _beside(
         for f in factors
         if f.key != key and not is_special(root, f.equations[0])
     ]
+
+
+def _beside_divided(
+    value: Polynomial, own: Polynomial, root: Branch, library: FactorLibrary
+) -> list[Polynomial] | None:
+    """The same of a long polynomial: the factors of what is left of it without its own.
+
+    None where it is no multiple of the piece's own equation.
+    """
+    layout = Layout.of(root.ring)
+    divisor = Divisor(own, root.ring, HalfAngles(root.ring, layout), layout)
+    rest = divisor.divide(value)
+    if rest is None:
+        return None
+    rest = root.ring.normal(rest)
+    (rest,) = without_nowhere_zero(root.ring, [rest], nowhere_zero(root))
+    if rest.is_constant():
+        return []
+    if len(rest) > LARGEST:
+        return None
+    key = str(primitive(own))
+    return [
+        f.equations[0]
+        for f in possible_factors(root, rest, library)
+        if f.key != key and not is_special(root, f.equations[0])
+    ]
+
+
+def nowhere_zero(root: Branch) -> list[Polynomial]:
+    """What has no zero in the whole space: divisors of its coordinates among them."""
+    return [*root.ring.divisors_of.values(), *root.divisors]
 
 
 def is_special(root: Branch, equation: Polynomial) -> bool:

@@ -18,6 +18,7 @@ from screwkit.algebra.batch import Array, BatchRing
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.expression import Expression, Symbol
 from screwkit.algebra.limits import RESULT_LIMITS
+from screwkit.algebra.names import limb_called
 from screwkit.algebra.parse import parse
 from screwkit.algebra.text import expression_text
 from screwkit.errors import ExpressionError, UndecidedError
@@ -133,7 +134,7 @@ def curves_of(answer: Singularities, slicing: Slicing) -> tuple[Curve, ...]:
 
 def _components(answer: Singularities) -> list[tuple[str, Component]]:
     found = [
-        (f"limb {limb.limb}", component)
+        (limb_called(limb.limb), component)
         for limb in answer.limb
         for component in limb.components
     ]

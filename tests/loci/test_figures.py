@@ -11,10 +11,11 @@ from loci.numeric import Array
 import screwkit as sk
 from screwkit.algebra.branches import restricted
 from screwkit.kinematics.assembly import Assembly
+from screwkit.loci.features import Axis, Features, Point, statements
 from screwkit.loci.figure_words import dependent, dependent_about
 from screwkit.loci.named_screws import AXIS, JOIN, SLIDE, NamedScrew, called
 from screwkit.loci.pieces import Piece
-from screwkit.loci.same_zeros import zeros_beside
+from screwkit.loci.same_zeros import LARGEST, zeros_beside
 
 PRIME = 2**31 - 1
 SOURCE = np.random.default_rng(4)
@@ -146,6 +147,30 @@ def test_zeros_elsewhere_are_seen() -> None:
     assert zeros_beside(piece, [x * y, x * y * (y + 1)], root, library) is None
     assert zeros_beside(piece, [x * y, x * (y + c)], root, library) == []
     assert zeros_beside(piece, [y], root, library) is None
+    names = ("y", "a2", "a3x", "a3y", "b2", "b3x", "b3y")
+    long = x + sum((ring.symbol(n) for n in names), ring.one) ** 6
+    assert len(long) > LARGEST
+    piece = Piece((long,), tuple(restricted(root, long)))
+    assert zeros_beside(piece, [long * 3], root, library) == []
+    assert zeros_beside(piece, [long * y], root, library) == [y]
+    assert zeros_beside(piece, [long + y], root, library) is None
+
+
+def test_two_points_are_named_one_after_the_other() -> None:
+    axes = tuple(Axis(n, int(n == "R"), (0, 0, 1), (0, 0, 0)) for n in "1245R")
+    shoulder, wrist = (Point(own, own, (1, 0, 0)) for own in (("1", "2"), ("4", "5")))
+    centre = Point((), (), (0, 1, 0), "the centre of S")
+    for points, words in (
+        (
+            (shoulder, wrist),
+            "the common point of axes 1 and 2 and that of axes 4 and 5",
+        ),
+        ((shoulder, centre), "the common point of axes 1 and 2 and the centre of S"),
+        ((centre, wrist), "the centre of S and the common point of axes 4 and 5"),
+    ):
+        said = {s.words for s in statements(Features(axes, points, ()))}
+        assert f"{words} coincide" in said
+        assert f"the line through {words} meets axis R" in said
 
 
 @pytest.mark.parametrize(

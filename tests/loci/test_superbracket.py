@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 
@@ -14,6 +15,7 @@ from loci.numeric import Array, value
 import screwkit as sk
 from screwkit.algebra.points import residue
 from screwkit.algebra.text import expression_text
+from screwkit.analyses.superbracket import superbracket
 from screwkit.analyses.unexpanded import six_lines_in_words
 from screwkit.loci.bracket_forms import Form, Sample, product_of
 from screwkit.loci.brackets import bracket, monomials_of, plane, shortest_monomials
@@ -21,7 +23,7 @@ from screwkit.loci.placed_points import wrench_through
 from screwkit.loci.superbracket import SixLines, six_lines
 from screwkit.reports.records import from_json, to_json
 from screwkit.results.singularities import Singularities
-from screwkit.results.superbracket import Superbracket
+from screwkit.results.superbracket import BracketFactor, Superbracket
 
 PRIME = 2**61 - 1
 DISTINCT = [(2 * i, 2 * i + 1) for i in range(6)]
@@ -194,12 +196,17 @@ def test_nothing_is_claimed_where_no_form_is_known(name: str) -> None:
 def test_what_is_known_of_a_determinant_that_is_not_written() -> None:
     """A cubic in the position for any six struts [MayerStOngeGosselin2000]."""
     case = sk.load("gough_6ups")
-    told = six_lines_in_words(case.assembly, case.mechanism.actuated)
+    given = case.assembly, case.mechanism.actuated
+    bracket = superbracket(*given, [])
+    assert bracket is not None
+    told = six_lines_in_words(*given, bracket)
     assert told == (
         "while limbs keep their ranks the platform moves only where lines A1 B1, "
         "A2 B2, A3 B3, A4 B4, A5 B5 and A6 B6 are lines of one linear complex: a "
         "determinant of degree 3 in x, y and z"
     )
+    four = replace(bracket, factors=(BracketFactor("[abcd]", "P", "elsewhere", ()),))
+    assert "moves only where P: a" in six_lines_in_words(*given, four)
 
 
 def test_limbs_with_loops_inside_have_more_wrenches_than_their_joints() -> None:
