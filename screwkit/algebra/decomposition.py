@@ -39,7 +39,9 @@ from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.search import (
     Decomposition,
     Search,
+    are_multiples,
     changed_halves,
+    may_hide_parts,
     refined,
     replace_steps,
     still_open,
@@ -99,7 +101,7 @@ def _descend(
     if branch.is_special:
         search.special.append(branch)
         return
-    if _is_too_deep(branch, search):
+    if search.deepest is not None and branch.codimension > search.deepest:
         return
     if search.skip(branch):
         _beside_what_is_skipped(branch, polynomials, nonzero, search)
@@ -112,14 +114,18 @@ def _descend(
         if not _eliminated(branch, polynomials, nonzero, search):
             search.unfinished.append(branch)
         return
+    hides = may_hide_parts(branch, search.library)
     if not left:
-        if not loses_a_direction(branch):
+        if hides and not are_multiples(branch, polynomials):
+            search.unfinished.append(branch)
+        elif not loses_a_direction(branch):
             _settle(branch, polynomials, nonzero, search)
         return
     if branch.codimension == search.deepest:
         return
-    if search.budget <= 0:
+    if search.budget <= 0 or hides:
         search.unfinished.append(branch)
+    if search.budget <= 0:
         return
     search.budget -= 1 + sum(map(len, left)) // _TERMS_PER_CASE
     squares = None if search.deepest is not None else _of_squares(branch, left)
@@ -178,10 +184,6 @@ def _beside_what_is_skipped(
         kept = [on_part.value(p) for p in nonzero]
         if all(p != 0 for p in kept):
             _descend(part, [on_part.value(p) for p in polynomials], kept, search)
-
-
-def _is_too_deep(branch: Branch, search: Search) -> bool:
-    return search.deepest is not None and branch.codimension > search.deepest
 
 
 def _of_squares(

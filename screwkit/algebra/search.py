@@ -14,8 +14,11 @@ from screwkit.algebra.branches import (
     without,
 )
 from screwkit.algebra.cases import possible_factors
+from screwkit.algebra.division import Divisor
 from screwkit.algebra.factors import FactorLibrary
+from screwkit.algebra.half_angle import HalfAngles
 from screwkit.algebra.points import residue
+from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.substitution import Substitution
 from screwkit.algebra.trigonometric import Polynomial, primitive
 
@@ -66,6 +69,33 @@ class Search:
     away: tuple[Polynomial, ...] = ()
     deepest: int | None = None
     inside: Callable[[Branch], Iterable[Sequence[Polynomial]]] = lambda branch: ()
+
+
+def may_hide_parts(branch: Branch, library: FactorLibrary) -> bool:
+    """Whether a pending condition may be a product over square roots of numbers.
+
+    Long ones are not split there; exact points may then lie on one part alone.
+    """
+    for pending in branch.pending:
+        for polynomial in (pending.value, primitive(pending.value)):
+            factor = library.factors.get(str(polynomial))
+            if factor is None or factor.certified:
+                continue
+            if not library.is_extended(polynomial):
+                return True
+    return False
+
+
+def are_multiples(branch: Branch, polynomials: Sequence[Polynomial]) -> bool:
+    """Whether each polynomial is seen to be a multiple of a pending condition."""
+    ring = branch.ring
+    layout = Layout.of(ring)
+    halves = HalfAngles(ring, layout)
+    divisors = [Divisor(p.value, ring, halves, layout) for p in branch.pending]
+    return all(
+        p == 0 or any(divisor.divide(p) is not None for divisor in divisors)
+        for p in polynomials
+    )
 
 
 def irreducible_parts(branch: Branch, search: Search) -> list[Branch]:

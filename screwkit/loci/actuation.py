@@ -9,22 +9,39 @@ locked limbs, not from literal wrenches.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.search import Search
 from screwkit.kinematics.assembly import Assembly
+from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.kinematics.loop_state import LoopState
 from screwkit.loci.actuation_locus import ActuationLocus
 from screwkit.loci.dependence import Dependence, dependent_zeros
+from screwkit.loci.exact_equations import (
+    ExactPieces,
+    Singularity,
+    with_exact_equations,
+)
 from screwkit.loci.hybrid_actuation import hybrid_actuation_locus
+from screwkit.loci.loop_drop import loop_state
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.mechanism_figures import figures_of
 from screwkit.loci.passive import PassiveSystem
-from screwkit.loci.pieces import Piece, lies_in, pieces_of, surely_in
+from screwkit.loci.pieces import (
+    Piece,
+    lies_in,
+    pieces_of,
+    surely_in,
+    without_contained,
+)
 from screwkit.loci.rank_drop import Column, rank_drop
+from screwkit.loci.searching_again import searched_again
 from screwkit.loci.witness import Witnesses
+from screwkit.loci.wrench_sums import height_of
 
 _LONGEST = 60_000  # terms of a polynomial that is factored
 _APART = 300  # case distinctions where the whole determinant is too long
@@ -54,46 +71,111 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
         assembly.told([joint for joint in limb.joints if joint in passive])
         for limb in assembly.limbs
     ]
-    zeros = dependent_zeros(root, limbs, Search(library, largest=_LONGEST))
-    if zeros.open:
-        apart = Search(library, budget=_APART, largest=_LONGEST)
-        zeros = _by_limbs(root, limbs, zeros, apart)
-    pieces = pieces_of(zeros.branches)
-    states = [_state(system, piece, passive) for piece in pieces]
-    complete = all(_is_decided(branch, pieces) for branch in zeros.open)
-    undecided = "the zeros of the determinant were not all decided"
-    reasons = dict.fromkeys(() if complete else (zeros.reason or undecided,))
-    moving = [p for p, s in zip(pieces, states, strict=True) if s.platform_freedom]
-    waiting = [p for p, s in zip(pieces, states, strict=True) if not s.platform_freedom]
-    search = Search(library, budget=_IDLE)
-    search.skip = lambda branch: any(lies_in(branch, known) for known in moving)
-    search.inside = lambda branch: (
-        known.equations for known in moving if lies_in(branch, known)
-    )
-    seen: dict[frozenset[str], Piece] = {}
-    while waiting:
-        idle = waiting.pop()
-        inside, left = _inside(idle, limbs, search)
-        for inner in inside:
-            state = _state(system, inner, passive)
-            key = frozenset(map(str, inner.equations))
-            if state.platform_freedom and not _known(inner.branches[0], moving):
-                pieces.append(inner)
-                states.append(state)
-                moving.append(inner)
-            elif not state.platform_freedom and key not in seen:
-                seen[key] = inner
-                waiting.append(inner)
-        # What lies on a piece inside is searched with that.
-        deeper = (p for p in seen.values() if p.codimension > idle.codimension)
-        searched = [*moving, *deeper]
-        if any(not _is_decided(branch, searched) for branch in left):
-            complete = False
-            reasons.setdefault("an idle piece was not searched to the end")
-    reason = "; ".join(reasons)
+    scheme = _Scheme(root, library, limbs, partial(_state, system, passive=passive))
+    found = searched_again(scheme.search, scheme.exactly)
+    pieces = found.exact.pieces
     return ActuationLocus(
-        True, freedom, complete, tuple(pieces), tuple(states), meanings, reason=reason
+        True,
+        freedom,
+        found.complete,
+        pieces,
+        tuple(map(scheme.state, pieces)),
+        meanings,
+        reason=found.reason,
     )
+
+
+@dataclass(frozen=True)
+class _Found:
+    """Where something moves with the actuated joints locked."""
+
+    pieces: tuple[Piece, ...]
+    reason: str
+
+
+@dataclass(frozen=True)
+class _Scheme:
+    """One scheme that stops the platform in general.
+
+    Attributes:
+        limbs: Passive twists of each.
+        state: Generic on a piece.
+    """
+
+    root: Branch
+    library: FactorLibrary
+    limbs: Sequence[Sequence[Column]]
+    state: Callable[[Piece], LoopState]
+
+    def search(self, given: Sequence[Piece]) -> _Found:
+        """All pieces, some of which are given."""
+
+        def is_given(branch: Branch) -> bool:
+            return _known(branch, given)
+
+        root, limbs = self.root, self.limbs
+        whole = Search(self.library, largest=_LONGEST, skip=is_given)
+        zeros = dependent_zeros(root, limbs, whole)
+        if zeros.open:
+            apart = replace(whole, budget=_APART, found=[], unfinished=[], special=[])
+            zeros = _by_limbs(root, limbs, zeros, apart)
+        pieces = without_contained([*given, *pieces_of(zeros.branches)])
+        complete = all(_is_decided(branch, pieces) for branch in zeros.open)
+        undecided = "the zeros of the determinant were not all decided"
+        reasons = dict.fromkeys(() if complete else (zeros.reason or undecided,))
+        moving = [piece for piece in pieces if self.state(piece).platform_freedom]
+        waiting = [p for p in pieces if not self.state(p).platform_freedom]
+        search = Search(self.library, budget=_IDLE)
+        search.skip = lambda branch: any(lies_in(branch, known) for known in moving)
+        search.inside = lambda branch: (
+            known.equations for known in moving if lies_in(branch, known)
+        )
+        seen: dict[frozenset[str], Piece] = {}
+        while waiting:
+            idle = waiting.pop()
+            inside, left = _inside(idle, limbs, search)
+            for inner in inside:
+                freedom = self.state(inner).platform_freedom
+                key = frozenset(map(str, inner.equations))
+                if freedom and not _known(inner.branches[0], moving):
+                    pieces.append(inner)
+                    moving.append(inner)
+                elif not freedom and key not in seen:
+                    seen[key] = inner
+                    waiting.append(inner)
+            # What lies on a piece inside is searched with that.
+            deeper = (p for p in seen.values() if p.codimension > idle.codimension)
+            searched = [*moving, *deeper]
+            if any(not _is_decided(branch, searched) for branch in left):
+                reasons.setdefault("an idle piece was not searched to the end")
+        return _Found(tuple(pieces), "; ".join(reasons))
+
+    def exactly(self, pieces: Sequence[Piece]) -> ExactPieces:
+        """Equations at whose zeros the platform moves, or more joints than in general.
+
+        The first where it moves in general on the piece.
+        """
+        each = [with_exact_equations([p], self._singularity(p)) for p in pieces]
+        return ExactPieces(
+            tuple(piece for one in each for piece in one.pieces),
+            sum(one.uncertain for one in each),
+            any(one.narrowed for one in each),
+        )
+
+    def _singularity(self, piece: Piece) -> Singularity:
+        generic = loop_state(self.root, self.limbs)
+        moves = bool(self.state(piece).platform_freedom)
+
+        def is_singular(branch: Branch) -> bool:
+            state = loop_state(branch, self.limbs)
+            if state is None or generic is None:
+                return False
+            if moves:
+                return state.platform_freedom > 0
+            return state.mobility > generic.mobility
+
+        columns = partial(loop_columns, self.limbs, height_of(self.limbs))
+        return Singularity(self.root, columns, is_singular, self.library)
 
 
 def _by_limbs(

@@ -394,3 +394,24 @@ def test_irrational_numbers_fix_an_angle(text: str, count: int | None) -> None:
         cosine, _ = ring.cosine_sine("q")
         if text.endswith("7*cos(q)"):
             assert branch.value(51 * cosine * cosine - 2) == 0
+
+
+ONE, TWO, THREE = (
+    "(sqrt(2)*u*x + sqrt(3)*v*y + x*y + u + w + sqrt(2)*w*x + sqrt(3))",
+    "(sqrt(3)*u*y - sqrt(2)*v*x + w*x + v - u*v + sqrt(2)*y + 3)",
+    "(sqrt(2)*w*y + sqrt(3)*x*v + u*x - w + y - sqrt(3)*v*w + 1)",
+)
+
+
+@pytest.mark.parametrize("shared", [ONE, TWO])
+def test_long_products_over_square_roots_hide_no_parts(shared: str) -> None:
+    """Two products of 45 terms are not split: what they share must not be lost.
+
+    All of ONE·TWO = 0 is too much, and its points may lie on the part that is not
+    shared, where the second product asks for more.
+    """
+    other = TWO if shared == ONE else ONE
+    found = zeros(f"{shared}*{other}", f"{shared}*{THREE}")[1]
+    (part,) = polynomials(f"{shared}*{other}", f"{shared}*{THREE}", shared)[1][2:]
+    if found.complete:
+        assert any(str(part) in map(str, b.conditions) for b in found.branches)
