@@ -186,12 +186,24 @@ def _of_three(features: Features[S]) -> Iterator[Statement]:
         first, second = features.points[p], features.points[q]
         if k in first.joints or k in second.joints:
             continue
-        words = (
-            f"the line through {first.name} and that of {_of(features, q)} "
-            f"meets axis {k}"
-        )
+        words = f"the line through {first.name} and {_of(features, q)} meets axis {k}"
         joints = (*first.own, *second.own, k)
         yield Statement("line meets", words, joints, _line_meets_axis(p, q, k))
+    for (p, q), k in product(combinations(points, 2), axes):
+        first, second = features.points[p], features.points[q]
+        joints = (*first.own, *second.own, k)
+        words = (
+            f"the line through {first.name} and {_of(features, q)} "
+            f"is perpendicular to axis {k}"
+        )
+        yield Statement("line across", words, joints, _line_across_axis(p, q, k))
+    for p, i, k in product(points, axes, lines):
+        point = features.points[p]
+        if k == i or k in point.joints:
+            continue
+        words = f"axis {i} is parallel to the plane of axis {k} and {point.name}"
+        joints = (*point.own, i, k)
+        yield Statement("along plane", words, joints, _axis_along_plane(p, i, k))
     neighbours = [(i, j) for i, j in combinations(axes, 2) if _adjacent(axes, i, j)]
     for p, (i, j), k in product(points, neighbours, lines):
         point = features.points[p]
@@ -295,6 +307,24 @@ def _line_meets_axis(p: int, q: int, k: str) -> Callable[[Features[S]], Sequence
         start = features.points[p].position
         along = subtract(features.points[q].position, start)
         return [dot(cross(along, axis.direction), subtract(start, axis.point))]
+
+    return scalars
+
+
+def _line_across_axis(p: int, q: int, k: str) -> Callable[[Features[S]], Sequence[S]]:
+    def scalars(features: Features[S]) -> Sequence[S]:
+        ends = features.points[p].position, features.points[q].position
+        return [dot(subtract(*ends), features.axis(k).direction)]
+
+    return scalars
+
+
+def _axis_along_plane(p: int, i: str, k: str) -> Callable[[Features[S]], Sequence[S]]:
+    def scalars(features: Features[S]) -> Sequence[S]:
+        axis = features.axis(k)
+        assert axis.point is not None
+        offset = subtract(features.points[p].position, axis.point)
+        return [dot(features.normal(i, k), offset)]
 
     return scalars
 

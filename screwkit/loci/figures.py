@@ -133,11 +133,20 @@ class Figures:
         """Where every translation, or every couple, is among the screws."""
         point, prime = self._root.points[0]
         free = [s.at(point, prime)[MOMENT] for s in self._screws if s.free]
-        lines = tuple(s for s in self._screws if not s.free and not s.ball)
-        if len(lines) > 1 and len(free) > 2 and rank(free, prime) == 3:
+        if len(free) < 3 or rank(free, prime) < 3:
+            return
+        lines: list[NamedScrew] = []  # of parallel ones the first
+        ways: list[list[int]] = []
+        for screw in self._screws:
+            way = screw.at(point, prime)[DIRECTION]
+            if screw.free or screw.ball or any(rank([w, way], prime) < 2 for w in ways):
+                continue
+            lines.append(screw)
+            ways.append(way)
+        if len(lines) > 1:
             columns = tuple(s.column[DIRECTION] for s in lines)
             yield View(
-                lines,
+                tuple(lines),
                 columns,
                 2,
                 lambda s, left, rows, p: dependent_directions(s, left),

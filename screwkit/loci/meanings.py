@@ -11,6 +11,7 @@ from functools import cached_property
 
 from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.cases import possible_factors
+from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.points import Point as ExactPoint
@@ -22,6 +23,7 @@ from screwkit.loci.features import Features, Statement, statements
 from screwkit.loci.figures import Figures
 from screwkit.loci.pieces import Piece, pieces_of
 from screwkit.loci.placed_features import Residue, features_at, features_of
+from screwkit.loci.same_zeros import without_condition
 
 _GIVEN = "(given"
 _LARGEST = 400  # terms of a statement that is compared with a locus
@@ -141,7 +143,9 @@ class Meanings:
             return False
         if len(scalars) == 1 and len(piece.equations) == 1:
             factors = possible_factors(self._root, scalars[0], self._library)
-            return [f.key for f in factors] == [str(primitive(piece.equations[0]))]
+            ring = self._framed.ring
+            key = condition_key(ring, piece.equations[0])
+            return len(factors) == 1 and not without_condition(ring, factors, key)
         if len(piece.equations) == 1:
             return self._only_there(statement, piece)
         search = Search(self._library, budget=12)
@@ -156,14 +160,14 @@ class Meanings:
         """
         ring = self._framed.ring
         values = [ring.normal(v) for v in statement.scalars(self.features)]
-        key = str(primitive(piece.equations[0]))
+        key = condition_key(ring, piece.equations[0])
         for start in range(0, len(values), 3):
             part = values[start : start + 3]
             square = ring.normal(sum((v * v for v in part), ring.zero))
             if square == 0 or len(square) > _LARGEST:
                 continue
             factors = possible_factors(self._root, square, self._library)
-            if [f.key for f in factors] == [key]:
+            if factors and not without_condition(ring, factors, key):
                 return True
         return False
 
@@ -171,15 +175,15 @@ class Meanings:
         """A statement that is the piece and one short condition more."""
         if len(piece.equations) != 1:
             return None
-        key = str(primitive(piece.equations[0]))
+        ring = self._framed.ring
+        key = condition_key(ring, piece.equations[0])
         for statement in candidates:
             scalars = self._scalars(statement)
             if len(scalars) != 1 or len(scalars[0]) > _LARGEST:
                 continue
             factors = possible_factors(self._root, scalars[0], self._library)
-            others = [f.equations[0] for f in factors if f.key != key]
+            others = without_condition(ring, factors, key)
             if len(others) < len(factors) and all(len(p) <= 2 for p in others):
-                ring = self._framed.ring
                 given = " and ".join(f"{equation_text(ring, p)} ≠ 0" for p in others)
                 return f"{statement.words} {_GIVEN} {given})"
         return None

@@ -9,7 +9,8 @@ from screwkit.algebra.factors import FactorLibrary
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.loci.figures import Figures
-from screwkit.loci.named_screws import NamedScrew, joint_screws, wrench_screws
+from screwkit.loci.limb_wrenches import wrench_screws
+from screwkit.loci.named_screws import NamedScrew, joint_screws
 
 
 def axes_of(
