@@ -43,7 +43,7 @@ from screwkit.loci.loop_drop import (
     rank_is_lost,
 )
 from screwkit.loci.meanings import Meanings
-from screwkit.loci.mechanism_figures import axes_of, figures_of
+from screwkit.loci.mechanism_figures import axes_of, figures_of, figures_on
 from screwkit.loci.pieces import Piece, pieces_of, told_apart
 from screwkit.loci.rank_drop import RankDrop, generic_rank
 from screwkit.loci.searching_again import searched_again
@@ -205,7 +205,9 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
         )
         for limb in assembly.limbs
     ]
-    meanings = Meanings(framed, root, library, figures_of(assembly))
+    meanings = Meanings(
+        framed, root, library, figures_of(assembly), figures_on(assembly)
+    )
     known = [
         primitive(stratum.equations[0])
         for limb in strata
@@ -225,9 +227,12 @@ def constraint_singularities(assembly: Assembly) -> ConstraintSingularities:
         lambda given: loop_drop(root, limbs, strata, Search(library), given=given),
         exactly,
     )
+    pieces = _in_order(found.exact.pieces)
     components = tuple(
-        _constraint_component(piece, limbs, meanings, assembly.dimension)
-        for piece in _in_order(found.exact.pieces)
+        _constraint_component(
+            piece, limbs, meanings.each_of(piece, pieces), assembly.dimension
+        )
+        for piece in pieces
     )
     return ConstraintSingularities(
         generic_rank=found.last.generic.loop,
@@ -272,7 +277,7 @@ def _constraint_proof(drop: LoopDrop) -> str:
 def _constraint_component(
     piece: Piece,
     limbs: Sequence[Parts],
-    meanings: Meanings,
+    geometry: str | None,
     size: int,
 ) -> Component:
     state = state_on(piece, limbs)
@@ -282,7 +287,7 @@ def _constraint_component(
         solutions=all_solutions(piece),
         solved=solved_equations(piece),
         rank=state.loop,
-        geometry=meanings.each_of(piece),
+        geometry=geometry,
         wrench_dimension=size - state.platform_freedom,
         platform_freedom=state.platform_freedom,
         mobility=state.mobility,

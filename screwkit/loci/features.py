@@ -19,6 +19,8 @@ from typing import Generic
 from screwkit.algebra.ring import S
 from screwkit.screw.vector import Vector, cross, dot, subtract
 
+_CENTRES = 6  # of which planes through three are looked at
+
 
 @dataclass(frozen=True)
 class Axis(Generic[S]):
@@ -204,6 +206,12 @@ def _of_three(features: Features[S]) -> Iterator[Statement]:
         words = f"axis {i} is parallel to the plane of axis {k} and {point.name}"
         joints = (*point.own, i, k)
         yield Statement("along plane", words, joints, _axis_along_plane(p, i, k))
+    centres = [p for p in points if features.points[p].called]
+    if len(centres) <= _CENTRES:
+        for three, i in product(combinations(centres, 3), axes):
+            named = listed([features.points[p].name for p in three])
+            words = f"axis {i} is parallel to the plane of {named}"
+            yield Statement("along centres", words, (i,), _axis_along_three(three, i))
     neighbours = [(i, j) for i, j in combinations(axes, 2) if _adjacent(axes, i, j)]
     for p, (i, j), k in product(points, neighbours, lines):
         point = features.points[p]
@@ -325,6 +333,17 @@ def _axis_along_plane(p: int, i: str, k: str) -> Callable[[Features[S]], Sequenc
         assert axis.point is not None
         offset = subtract(features.points[p].position, axis.point)
         return [dot(features.normal(i, k), offset)]
+
+    return scalars
+
+
+def _axis_along_three(
+    three: tuple[int, ...], i: str
+) -> Callable[[Features[S]], Sequence[S]]:
+    def scalars(features: Features[S]) -> Sequence[S]:
+        a, b, c = (features.points[p].position for p in three)
+        normal = cross(subtract(b, a), subtract(c, a))
+        return [dot(normal, features.axis(i).direction)]
 
     return scalars
 

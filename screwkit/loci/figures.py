@@ -75,12 +75,19 @@ class Figures:
         root: Branch,
         library: FactorLibrary,
         screws: Callable[[], Sequence[NamedScrew]],
+        *,
+        directions: bool = False,
     ) -> None:
-        """Nothing is computed before the first piece is asked about."""
+        """Nothing is computed before the first piece is asked about.
+
+        With ``directions`` those of lines are always looked at, not only where every
+        translation, or every couple, is among the screws.
+        """
         self._framed = framed
         self._root = root
         self._library = library
         self._given = screws
+        self._always = directions
 
     def of(self, piece: Piece, smallest: int = 1, largest: int = 5) -> str | None:
         """A sentence that holds exactly on the piece; None where none was found.
@@ -112,6 +119,19 @@ class Figures:
                 provisional = f"{sentence} (given {given})"
         return provisional
 
+    def holding(
+        self, piece: Piece, largest: int = 3
+    ) -> Iterator[tuple[str, list[Polynomial]]]:
+        """What is dependent on a piece and perhaps elsewhere, with its minors."""
+        on = [point for branch in piece.branches for point in branch.points]
+        if not on or not self._root.points:
+            return
+        for view, chosen, left in self._dependent(on, 1, largest):
+            sentence = self._sentence(view, chosen, left)
+            minors = sentence and self._minors(view, chosen, left)
+            if sentence and minors:
+                yield sentence, minors
+
     # -- ways to look at the screws ----------------------------------------------
 
     @cached_property
@@ -133,7 +153,7 @@ class Figures:
         """Where every translation, or every couple, is among the screws."""
         point, prime = self._root.points[0]
         free = [s.at(point, prime)[MOMENT] for s in self._screws if s.free]
-        if len(free) < 3 or rank(free, prime) < 3:
+        if not self._always and (len(free) < 3 or rank(free, prime) < 3):
             return
         lines: list[NamedScrew] = []  # of parallel ones the first
         ways: list[list[int]] = []
@@ -226,13 +246,21 @@ class Figures:
     def _beside(
         self, piece: Piece, view: View, chosen: Sequence[int], left: int
     ) -> list[Polynomial] | None:
+        minors = self._minors(view, chosen, left)
+        if minors is None:
+            return None
+        return zeros_beside(piece, minors, self._root, self._library)
+
+    def _minors(
+        self, view: View, chosen: Sequence[int], left: int
+    ) -> list[Polynomial] | None:
+        """They vanish where the rank is no larger; None if they cost too much."""
         ring = self._framed.ring
         columns = [view.columns[i] for i in chosen]
         sizes = sorted((sum(map(len, c)) for c in columns), reverse=True)
         if prod(sizes[: left + 1]) > _COSTLIEST:
             return None
-        minors = [ring.normal(m) for m in minors_of_size(ring, columns, left + 1)]
-        return zeros_beside(piece, minors, self._root, self._library)
+        return [ring.normal(m) for m in minors_of_size(ring, columns, left + 1)]
 
 
 def _circuits(

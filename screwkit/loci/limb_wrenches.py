@@ -33,7 +33,9 @@ from screwkit.loci.reciprocal_lines import reciprocal_lines, twists_at
 
 
 def wrench_screws(
-    assembly: Assembly, locked: Collection[str] = ()
+    assembly: Assembly,
+    locked: Collection[str] = (),
+    on: Sequence[tuple[Sequence[int], int]] = (),
 ) -> tuple[NamedScrew, ...]:
     """Independent wrenches of each limb; couples of limbs with loops inside beside.
 
@@ -42,6 +44,7 @@ def wrench_screws(
     Args:
         assembly: The mechanism.
         locked: Actuated joints, which resist every motion.
+        on: Exact postures at which they are wrenches; by default all postures.
     """
     framed = assembly.common_twists
     samples = sample_points(assembly.root(framed.ring))
@@ -53,9 +56,9 @@ def wrench_screws(
     for number, limb in enumerate(assembly.limbs):
         if not limb.nested:
             continue
-        passive = twists_at(assembly, limb, locked, samples)
+        passive = twists_at(assembly, limb, locked, on or samples)
         own = [i for i, owner in enumerate(owners) if number in owner]
-        lines, _ = reciprocal_lines(passive, own, points, samples)
+        lines, _ = reciprocal_lines(passive, own, points, on or samples)
         joins = [_join(framed.ring, points[a], points[b], number) for a, b in lines]
         found += joins
         if limb.elements is not None:
@@ -66,7 +69,7 @@ def wrench_screws(
                 [points[i] for i in own],
                 [axis for axis in axes if axis.limb == number],
                 passive,
-                samples,
+                on or samples,
             )
     return tuple(_named_as_axis(screw, axes, samples) for screw in found)
 

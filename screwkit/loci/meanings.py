@@ -6,8 +6,9 @@ only an equivalent one is called its meaning.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
+from itertools import islice
 
 from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.cases import possible_factors
@@ -19,6 +20,7 @@ from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.kinematics.frames import FramedTwists
+from screwkit.loci.conjunctions import Said, conjunction
 from screwkit.loci.features import Features, Statement, statements
 from screwkit.loci.figures import Figures
 from screwkit.loci.pieces import Piece, pieces_of
@@ -26,6 +28,9 @@ from screwkit.loci.placed_features import Residue, features_at, features_of
 from screwkit.loci.same_zeros import without_condition
 
 _GIVEN = "(given"
+_OF_TWO = ("line", "on", "coincide", "parallel", "perpendicular", "meet")
+_SHORT = 60  # terms of a statement that is looked at together with others
+_DEPENDENT = 20  # figures of one kind that are looked at together
 _LARGEST = 400  # terms of a statement that is compared with a locus
 
 
@@ -38,12 +43,17 @@ class Meanings:
         root: Branch,
         library: FactorLibrary,
         figures: Sequence[Figures] = (),
+        figures_on: Callable[[Piece], Figures] | None = None,
     ) -> None:
-        """What is looked at: axes and points, then figures of lines."""
+        """What is looked at: axes and points, then figures of lines.
+
+        ``figures_on`` gives lines that a limb resists along on a piece alone.
+        """
         self._framed = framed
         self._root = root
         self._library = library
         self._figures = figures
+        self._figures_on = figures_on
         self._found: dict[frozenset[str], str | None] = {}
         self._at: dict[tuple[int, ...], Features[Residue]] = {}
 
@@ -94,32 +104,79 @@ class Meanings:
         found = (figures.of(piece, 6, 6) for figures in self._figures)
         return next((sentence for sentence in found if sentence), None)
 
-    def each_of(self, piece: Piece) -> str | None:
-        """A sentence for the piece, or one for each of its equations that has one."""
+    def each_of(self, piece: Piece, others: Sequence[Piece] = ()) -> str | None:
+        """A sentence for the piece, or for each of its equations, or several together.
+
+        Args:
+            piece: A component.
+            others: All components in the order in which they are counted; a sentence
+                that holds on two of them and nowhere else says so.
+        """
         if len(piece.equations) == 1:
             return self.of(piece)
         # Whether a statement about axes is several equations at once takes long.
         whole = self._figure(piece)
         if whole is not None:
             return whole
-        sentences = []
+        alone = self._each_alone(piece)
+        if len(alone) > piece.codimension or not alone:
+            alone = self._together(piece, others) or alone
+        return "; ".join(alone) or None
+
+    def _together(self, piece: Piece, others: Sequence[Piece]) -> list[str] | None:
+        """Statements and figures that hold on the piece, as many as it takes."""
+        if not all(branch.points for branch in piece.branches):
+            return None
+        statements = self._said_of(piece)
+        found = conjunction(piece, statements, self._root, self._library, others)
+        if found is None:
+            return None
+        words = list(found.words)
+        for number in found.elsewhere:
+            words[-1] += f" (here and on component {number + 1})"
+        return words
+
+    def _said_of(self, piece: Piece) -> Iterator[Said]:
+        """Of axes and points, then of dependent lines, then of more than two."""
+        holding = self._holding(piece.branches, len(piece.branches))
+        short = [s for s in holding if s.kind in _OF_TWO]
+        for statement in short:
+            yield from self._said(statement)
+        own = [] if self._figures_on is None else [self._figures_on(piece)]
+        for figures in (*self._figures, *own):
+            for words, minors in islice(figures.holding(piece), _DEPENDENT):
+                values = [primitive(m) for m in minors if m != 0]
+                if values and not any(len(v) > _SHORT for v in values):
+                    yield words, values
+        for statement in holding:
+            if statement.kind not in _OF_TWO:
+                yield from self._said(statement)
+
+    def _said(self, statement: Statement) -> Iterator[Said]:
+        scalars = self._scalars(statement)
+        if scalars and not any(len(value) > _SHORT for value in scalars):
+            yield statement.words, scalars
+
+    def _each_alone(self, piece: Piece) -> list[str]:
+        """A sentence for each of the equations; empty where one has none."""
+        sentences: list[str] = []
         for equation in piece.equations:
             branches = restricted(self._root, equation)
             if not branches or branches[0].is_special:
-                return None
+                return []
             sentence = self._alone(Piece((equation,), tuple(branches)))
             if sentence is None:
-                return None
+                return []
             sentences.append(sentence)
-        return "; ".join(sentences)
+        return list(dict.fromkeys(sentences))
 
     def _alone(self, piece: Piece) -> str | None:
         """A sentence without proviso: others of the equations may contradict it."""
         sentence = self.of(piece)
         return None if sentence is None or _GIVEN in sentence else sentence
 
-    def _holding(self, branches: Sequence[Branch]) -> list[Statement]:
-        points = [point for branch in branches[:2] for point in branch.points]
+    def _holding(self, branches: Sequence[Branch], seen: int = 2) -> list[Statement]:
+        points = [point for branch in branches[:seen] for point in branch.points]
         if not points:
             return []
         found = list(self._statements)
