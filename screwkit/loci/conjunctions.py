@@ -9,23 +9,24 @@ References: [CoxLittleOShea] §4.6 (decomposition into irreducibles).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 
-from screwkit.algebra.branches import Branch
+from screwkit.algebra.branches import Branch, without
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import differential, residue
+from screwkit.algebra.proved_inside import left_over
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
-from screwkit.loci.pieces import Piece, lies_in
+from screwkit.loci.pieces import Piece, surely_in
 
 _TRIED = 160  # statements
 _SAID = 6  # statements together
 _BESIDE = 12  # branches that are followed at once
-_AGAIN = 2  # searches of the whole space, where one step by step ends
+_AGAIN = 4  # statements that are looked at once more
 _BUDGET = 40  # case distinctions for one statement on one branch
 
 Said = tuple[str, Sequence[Polynomial]]
@@ -67,7 +68,7 @@ def conjunction(
     said = _strongest_first(piece, list(islice(statements, _TRIED)), root)
     alone = _Cutting(piece, (), library).chosen(said, root)
     if alone is not None:
-        return Conjunction(alone)
+        return Conjunction(_words(alone)) if _holds(alone, piece, library) else None
     for number, other in enumerate(others):
         shared = [
             one
@@ -77,9 +78,40 @@ def conjunction(
         if other is piece or not _points(other) or not shared:
             continue
         both = _Cutting(piece, (other,), library).chosen(shared, root)
-        if both is not None:
-            return Conjunction(both, (number,))
+        if both is not None and all(_holds(both, p, library) for p in (piece, other)):
+            return Conjunction(_words(both), (number,))
     return None
+
+
+def _words(said: Sequence[Said]) -> tuple[str, ...]:
+    return tuple(words for words, _ in said)
+
+
+def _holds(said: Sequence[Said], piece: Piece, library: FactorLibrary) -> bool:
+    """Whether statements hold on all of a piece.
+
+    Where several conditions are pending its exact points may lie on one part of it.
+    Then they hold outside the zeros of a multiplier, which must be no part as large.
+    """
+    scalars = _all_of(said)[1]
+    for branch in piece.branches:
+        if len(branch.pending) < 2:
+            continue
+        systems = left_over(branch, [scalars])
+        if systems is None:
+            return False
+        before = branch
+        for pending in branch.pending:
+            before = without(before, pending)
+        own = [value for value in map(before.value, piece.equations) if value != 0]
+        for system in systems:
+            search = Search(library, budget=_BUDGET)
+            zeros = common_zeros(before, [*system, *own], search)
+            if not zeros.complete or any(
+                b.codimension <= branch.codimension for b in zeros.branches
+            ):
+                return False
+    return True
 
 
 def _points(piece: Piece) -> list[tuple[Sequence[int], int]]:
@@ -105,40 +137,54 @@ class _Cutting:
     others: tuple[Piece, ...]
     library: FactorLibrary
 
-    def chosen(self, said: Sequence[Said], root: Branch) -> tuple[str, ...] | None:
+    def chosen(self, said: Sequence[Said], root: Branch) -> list[Said] | None:
         """Those that leave nothing; None where something is left."""
         chosen: list[Said] = []
         beside = [root]
-        again = _AGAIN
-        for one in said:
+        waiting: list[Said] = []  # unknown at first, decided where others have cut
+        for again, one in self._in_turn(said, waiting):
             cut = self._cut(one, beside)
             if cut is None and again and chosen:
-                again -= 1
-                scalars = [s for _, own in (*chosen, one) for s in own]
-                cut = self._cut(("", scalars), [root])
+                cut = self._cut(_all_of([*chosen, one]), [root])
+            if cut is None and not again:
+                waiting.append(one)
             if cut is None or _same(cut, beside):
                 continue
             chosen.append(one)
             beside = cut
-            if not beside:
-                needed = self._needed(chosen, root)
-                short = len(needed) <= max(_SAID, self.piece.codimension)
-                return tuple(words for words, _ in needed) if short else None
-            if len(chosen) == 2 * _SAID:
-                return None
-        return None
+            if not beside or len(chosen) == 2 * _SAID:
+                break
+        if beside:
+            return None
+        needed = self._needed(chosen, root)
+        short = len(needed) <= max(_SAID, self.piece.codimension)
+        return needed if short else None
+
+    def _in_turn(
+        self, said: Sequence[Said], waiting: Sequence[Said]
+    ) -> Iterator[tuple[bool, Said]]:
+        for one in said:
+            yield False, one
+        for one in waiting[:_AGAIN]:
+            yield True, one
 
     def _needed(self, chosen: list[Said], root: Branch) -> list[Said]:
-        """The statements without those that the others imply."""
-        for one in list(chosen):
-            beside: list[Branch] | None = [root]
+        """The statements without those that the others are seen to imply."""
+        for one in chosen[::-1]:
             rest = [other for other in chosen if other is not one]
-            for other in rest:
-                if beside:
-                    beside = self._cut(other, beside)
-            if beside == []:
+            if rest and self._suffice(rest, root):
                 chosen = rest
         return chosen
+
+    def _suffice(self, said: Sequence[Said], root: Branch) -> bool:
+        """Whether statements are proved to hold nowhere besides."""
+        beside: list[Branch] | None = [root]
+        for one in said:
+            if beside:
+                beside = self._cut(one, beside)
+        if beside is None:
+            beside = self._cut(_all_of(said), [root])
+        return beside == []
 
     def _cut(self, said: Said, beside: Sequence[Branch]) -> list[Branch] | None:
         """Where on these branches a statement holds besides; None if unknown."""
@@ -157,9 +203,14 @@ class _Cutting:
             if not zeros.complete or any(not b.points for b in zeros.branches):
                 return None
             found += [
-                b for b in zeros.branches if not any(lies_in(b, p) for p in known)
+                b for b in zeros.branches if not any(surely_in(b, p) for p in known)
             ]
         return found if len(found) <= _BESIDE else None
+
+
+def _all_of(said: Sequence[Said]) -> Said:
+    """Statements as one."""
+    return "; ".join(words for words, _ in said), [s for _, own in said for s in own]
 
 
 def _same(cut: Sequence[Branch], beside: Sequence[Branch]) -> bool:

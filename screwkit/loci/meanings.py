@@ -21,7 +21,7 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.loci.conjunctions import Said, conjunction
-from screwkit.loci.features import Features, Statement, statements
+from screwkit.loci.features import FAR, LONG, Features, Statement, statements
 from screwkit.loci.figures import Figures
 from screwkit.loci.pieces import Piece, pieces_of
 from screwkit.loci.placed_features import Residue, features_at, features_of
@@ -82,12 +82,15 @@ class Meanings:
 
     def _search(self, piece: Piece) -> str | None:
         candidates = self._holding(piece.branches)
-        for statement in candidates:
-            if self._same_set(statement, piece):
-                return statement.words
+        same = (s for s in candidates if self._same_set(s, piece))
+        statement = next(same, None)
+        if statement is not None and statement.kind not in LONG:
+            return statement.words
         figure = self._figure(piece)
         if figure is not None and _GIVEN not in figure:
             return figure
+        if statement is not None:
+            return statement.words
         return self._given(candidates, piece) or figure
 
     def _figure(self, piece: Piece) -> str | None:
@@ -149,7 +152,7 @@ class Meanings:
                 if values and not any(len(v) > _SHORT for v in values):
                     yield words, values
         for statement in holding:
-            if statement.kind not in _OF_TWO:
+            if statement.kind not in (*_OF_TWO, FAR):
                 yield from self._said(statement)
 
     def _said(self, statement: Statement) -> Iterator[Said]:
@@ -192,7 +195,8 @@ class Meanings:
     def _scalars(self, statement: Statement) -> list[Polynomial]:
         ring = self._framed.ring
         values = [ring.normal(v) for v in statement.scalars(self.features)]
-        return [primitive(v) for v in values if v != 0]
+        cleared = [ring.without_divisors([v])[0] for v in values if v != 0]
+        return [primitive(v) for v in cleared]
 
     def _same_set(self, statement: Statement, piece: Piece) -> bool:
         scalars = self._scalars(statement)
