@@ -27,6 +27,7 @@ _TRIED = 160  # statements
 _SAID = 6  # statements together
 _BESIDE = 12  # branches that are followed at once
 _AGAIN = 4  # statements that are looked at once more
+_SEARCHES = 60  # of branches for a statement, in all
 _BUDGET = 40  # case distinctions for one statement on one branch
 
 Said = tuple[str, Sequence[Polynomial]]
@@ -70,17 +71,25 @@ def conjunction(
     if alone is not None:
         return Conjunction(_words(alone)) if _holds(alone, piece, library) else None
     for number, other in enumerate(others):
+        if other is piece or not _alike(piece, other):
+            continue
         shared = [
             one
             for one in said
             if not any(residue(s, *at) for s in one[1] for at in _points(other))
         ]
-        if other is piece or not _points(other) or not shared:
+        if not _points(other) or not shared:
             continue
         both = _Cutting(piece, (other,), library).chosen(shared, root)
         if both is not None and all(_holds(both, p, library) for p in (piece, other)):
             return Conjunction(_words(both), (number,))
     return None
+
+
+def _alike(one: Piece, other: Piece) -> bool:
+    """Whether two may be mirror images: equations of the same lengths."""
+    lengths = (sorted(map(len, piece.equations)) for piece in (one, other))
+    return next(lengths) == next(lengths) and one.codimension == other.codimension
 
 
 def _words(said: Sequence[Said]) -> tuple[str, ...]:
@@ -129,13 +138,18 @@ def _strongest_first(piece: Piece, said: list[Said], root: Branch) -> list[Said]
     return sorted(said, key=is_weaker)
 
 
-@dataclass(frozen=True)
+@dataclass
 class _Cutting:
-    """What statements leave of the space beside a piece, and beside known others."""
+    """What statements leave of the space beside a piece, and beside known others.
+
+    Attributes:
+        left: Searches that may still be made.
+    """
 
     piece: Piece
     others: tuple[Piece, ...]
     library: FactorLibrary
+    left: int = _SEARCHES
 
     def chosen(self, said: Sequence[Said], root: Branch) -> list[Said] | None:
         """Those that leave nothing; None where something is left."""
@@ -197,6 +211,9 @@ class _Cutting:
             if not any(residue(s, *at) for s in scalars for at in branch.points):
                 found.append(branch)
                 continue
+            if not self.left:
+                return None
+            self.left -= 1
             values = [value for value in map(branch.value, scalars) if value != 0]
             search = Search(self.library, budget=_BUDGET)
             zeros = common_zeros(branch, values, search)
