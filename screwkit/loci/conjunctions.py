@@ -27,7 +27,7 @@ _TRIED = 160  # statements
 _SAID = 6  # statements together
 _BESIDE = 12  # branches that are followed at once
 _AGAIN = 4  # statements that are looked at once more
-_SEARCHES = 60  # of branches for a statement, in all
+_SEARCHES = 40  # of branches for a statement, in all
 _BUDGET = 40  # case distinctions for one statement on one branch
 
 Said = tuple[str, Sequence[Polynomial]]
