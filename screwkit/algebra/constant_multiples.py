@@ -14,7 +14,12 @@ from math import gcd, lcm
 
 from flint import arb, ctx, fmpq, fmpq_mat
 
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, content
+from screwkit.algebra.trigonometric import (
+    Polynomial,
+    TrigonometricRing,
+    content,
+    primitive,
+)
 
 TRIED = 24
 """Coefficients whose inverses are tried."""
@@ -43,6 +48,21 @@ def shortest_multiple(ring: TrigonometricRing, column: Sequence[Polynomial]) -> 
         return plain
     places = list(_degrees(ring))
     return min(found, key=lambda multiple: _length(multiple, places))
+
+
+def condition_key(ring: TrigonometricRing, value: Polynomial) -> str:
+    """The same text for all multiples of a polynomial by numbers of the field.
+
+    Args:
+        ring: Of the polynomial, which is in normal form and not zero.
+        value: Its coefficient before the first monomial becomes 1, up to a rational.
+    """
+    places = list(_degrees(ring))
+    if any(value.degrees()[i] > 0 for i in places):
+        first = _coefficients(ring, value, places)[0]
+        if not first.is_constant():
+            value = ring.normal(inverse(ring, first) * value)
+    return str(primitive(value))
 
 
 def is_number(ring: TrigonometricRing, value: Polynomial) -> bool:

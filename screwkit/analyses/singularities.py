@@ -45,7 +45,7 @@ from screwkit.loci.loop_drop import (
     rank_is_lost,
 )
 from screwkit.loci.meanings import Meanings
-from screwkit.loci.mechanism_figures import axes_of, figures_of
+from screwkit.loci.mechanism_figures import axes_of, figures_of, figures_on
 from screwkit.loci.pieces import Piece, pieces_of, told_apart
 from screwkit.loci.rank_drop import RankDrop, generic_rank
 from screwkit.loci.searching_again import searched_again
@@ -231,7 +231,9 @@ def constraint_singularities(
         )
         for limb in assembly.limbs
     ]
-    meanings = Meanings(framed, root, library, figures_of(assembly))
+    meanings = Meanings(
+        framed, root, library, figures_of(assembly), figures_on(assembly)
+    )
     known = [
         primitive(stratum.equations[0])
         for limb in strata
@@ -250,11 +252,17 @@ def constraint_singularities(
     def described(
         pieces: Sequence[Piece], names: Meanings | None
     ) -> tuple[Component, ...]:
+        ordered = _in_order(pieces)
         return tuple(
             _constraint_component(
-                piece, root, library, names, state_on(piece, limbs), assembly.dimension
+                piece,
+                root,
+                library,
+                partial(_meaning, names, piece, ordered) if names else None,
+                state_on(piece, limbs),
+                assembly.dimension,
             )
-            for piece in _in_order(pieces)
+            for piece in ordered
         )
 
     def early(pieces: Sequence[Piece], generic: LoopState) -> None:
@@ -315,11 +323,19 @@ def _constraint_proof(drop: LoopDrop) -> str:
     )
 
 
+def _meaning(
+    meanings: Meanings, piece: Piece, listed: Sequence[Piece], written: Piece
+) -> str | None:
+    """A sentence for a piece of a list, by other equations of the same piece."""
+    others = [written if other is piece else other for other in listed]
+    return meanings.each_of(written, others)
+
+
 def _constraint_component(
     piece: Piece,
     root: Branch,
     library: FactorLibrary,
-    meanings: Meanings | None,
+    words: Callable[[Piece], str | None] | None,
     state: LoopState,
     size: int,
 ) -> Component:
@@ -327,7 +343,7 @@ def _constraint_component(
         piece,
         root,
         library,
-        meanings.each_of if meanings else None,
+        words,
         rank=state.loop,
         wrench_dimension=size - state.platform_freedom,
         platform_freedom=state.platform_freedom,

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from typing import Literal, TypeAlias
 
 from screwkit.algebra.cases import possible_factors
+from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.points import residue
 from screwkit.algebra.trigonometric import primitive
 from screwkit.kinematics.assembly import Assembly
@@ -116,11 +117,17 @@ def _holds(
     root, library = assembly.root(ring), assembly.library(ring)
     factors = possible_factors(root, primitive(value), library)
     # What ties the dimensions alone is a special mechanism, not a posture.
-    keys = {f.key for f in factors if not is_special(root, f.equations[0])}
+    keys = {
+        condition_key(ring, f.equations[0])
+        for f in factors
+        if not is_special(root, f.equations[0])
+    }
     if not keys:
         return "never"
     known = {
-        str(primitive(piece.equations[0])) for piece in met if len(piece.equations) == 1
+        condition_key(ring, piece.equations[0])
+        for piece in met
+        if len(piece.equations) == 1
     }
     if keys <= known:
         return "exactly"

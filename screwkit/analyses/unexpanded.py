@@ -18,7 +18,8 @@ from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.features import listed
 from screwkit.loci.figure_words import dependent
-from screwkit.loci.named_screws import NamedScrew, wrench_screws
+from screwkit.loci.limb_wrenches import wrench_screws
+from screwkit.loci.named_screws import NamedScrew
 from screwkit.results.superbracket import Superbracket
 
 HIGHEST = 150

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from screwkit.algebra.telling_coordinates import telling_coordinates
+from screwkit.conventions import SCREW_DIMENSION
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.kinematics.limb_parts import Column, Part, parts_of
@@ -20,6 +21,14 @@ def told_parts(
     """A limb in the common frame, in the coordinates that tell all limbs apart."""
     framed = assembly.common_twists
     return _parts(assembly, limb, framed, assembly.telling, locked)
+
+
+def whole_parts(
+    assembly: Assembly, limb: LimbChain, locked: Collection[str] = ()
+) -> list[Part]:
+    """A limb in the common frame, with all six coordinates of its twists."""
+    framed = assembly.common_twists
+    return _parts(assembly, limb, framed, range(SCREW_DIMENSION), locked)
 
 
 def own_parts(assembly: Assembly, limb: LimbChain) -> tuple[list[Part], int]:

@@ -19,6 +19,14 @@ from typing import Generic
 from screwkit.algebra.ring import S
 from screwkit.screw.vector import Vector, cross, dot, subtract
 
+_CENTRES = 6  # of which planes through three are looked at, and lines across limbs
+
+FAR = "line across limbs meets"
+"""The kind of statements about a line through points of two limbs."""
+
+LONG = (FAR, "along centres", "across", "normal in")
+"""Kinds whose statements are said where no figure of lines is."""
+
 
 @dataclass(frozen=True)
 class Axis(Generic[S]):
@@ -43,12 +51,14 @@ class Point(Generic[S]):
         joints: The axes through it.
         own: Those of them that it is named after, all of one limb.
         called: The name of a centre; empty where the axes name the point.
+        limb: Number of the limb that it is named after.
     """
 
     joints: tuple[str, ...]
     own: tuple[str, ...]
     position: Vector[S]
     called: str = ""
+    limb: int = 0
 
     @property
     def name(self) -> str:
@@ -181,6 +191,7 @@ def _of_planes(features: Features[S]) -> Iterator[Statement]:
 def _of_three(features: Features[S]) -> Iterator[Statement]:
     axes = [axis.joint for axis in features.axes]
     lines = [axis.joint for axis in features.axes if axis.point is not None]
+    limb_of = {axis.joint: axis.limb for axis in features.axes}
     points = range(len(features.points))
     for (p, q), k in product(combinations(points, 2), lines):
         first, second = features.points[p], features.points[q]
@@ -190,7 +201,39 @@ def _of_three(features: Features[S]) -> Iterator[Statement]:
             f"the line through {first.name} and {_of(features, p, q)} meets axis {k}"
         )
         joints = (*first.own, *second.own, k)
-        yield Statement("line meets", words, joints, _line_meets_axis(p, q, k))
+        kind = "line meets" if first.limb == second.limb else FAR
+        yield Statement(kind, words, joints, _line_meets_axis(p, q, k))
+    for (p, q), k in product(combinations(points, 2), axes):
+        first, second = features.points[p], features.points[q]
+        if first.limb != second.limb and len(points) > _CENTRES:
+            continue
+        joints = (*first.own, *second.own, k)
+        words = (
+            f"the line through {first.name} and {_of(features, p, q)} "
+            f"is perpendicular to axis {k}"
+        )
+        yield Statement("line across", words, joints, _line_across_axis(p, q, k))
+    for p, i, k in product(points, axes, lines):
+        point = features.points[p]
+        own = {point.limb, limb_of[i], limb_of[k]}
+        if k == i or k in point.joints or len(own) > 1:
+            continue
+        words = f"axis {i} is parallel to the plane of axis {k} and {point.name}"
+        joints = (*point.own, i, k)
+        yield Statement("along plane", words, joints, _axis_along_plane(p, i, k))
+    centres = [p for p in points if features.points[p].called]
+    if len(centres) <= _CENTRES:
+        for three, i in product(combinations(centres, 3), axes):
+            named = listed([features.points[p].name for p in three])
+            words = f"axis {i} is parallel to the plane of {named}"
+            yield Statement("along centres", words, (i,), _along_three(three, i))
+        for three, (i, j) in product(combinations(centres, 3), combinations(axes, 2)):
+            named = listed([features.points[p].name for p in three])
+            words = (
+                f"the common normal of axes {i} and {j} is parallel to the plane of "
+                f"{named}"
+            )
+            yield Statement("across", words, (i, j), _along_three(three, i, j))
     neighbours = [(i, j) for i, j in combinations(axes, 2) if _adjacent(axes, i, j)]
     for p, (i, j), k in product(points, neighbours, lines):
         point = features.points[p]
@@ -297,6 +340,38 @@ def _line_meets_axis(p: int, q: int, k: str) -> Callable[[Features[S]], Sequence
         start = features.points[p].position
         along = subtract(features.points[q].position, start)
         return [dot(cross(along, axis.direction), subtract(start, axis.point))]
+
+    return scalars
+
+
+def _line_across_axis(p: int, q: int, k: str) -> Callable[[Features[S]], Sequence[S]]:
+    def scalars(features: Features[S]) -> Sequence[S]:
+        ends = features.points[p].position, features.points[q].position
+        return [dot(subtract(*ends), features.axis(k).direction)]
+
+    return scalars
+
+
+def _axis_along_plane(p: int, i: str, k: str) -> Callable[[Features[S]], Sequence[S]]:
+    def scalars(features: Features[S]) -> Sequence[S]:
+        axis = features.axis(k)
+        assert axis.point is not None
+        offset = subtract(features.points[p].position, axis.point)
+        return [dot(features.normal(i, k), offset)]
+
+    return scalars
+
+
+def _along_three(
+    three: tuple[int, ...], i: str, j: str = ""
+) -> Callable[[Features[S]], Sequence[S]]:
+    """An axis, or the common normal of two, lies along the plane of three points."""
+
+    def scalars(features: Features[S]) -> Sequence[S]:
+        a, b, c = (features.points[p].position for p in three)
+        normal = cross(subtract(b, a), subtract(c, a))
+        along = features.normal(i, j) if j else features.axis(i).direction
+        return [dot(normal, along)]
 
     return scalars
 

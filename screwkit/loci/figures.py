@@ -77,6 +77,8 @@ class Figures:
         library: FactorLibrary,
         screws: Callable[[], Sequence[NamedScrew]],
         held: Callable[[], Sequence[NamedPoint]] = tuple,
+        *,
+        directions: bool = False,
     ) -> None:
         """Nothing is computed before the first piece is asked about.
 
@@ -86,12 +88,15 @@ class Figures:
             library: Known factors.
             screws: What may become dependent.
             held: Points through which all forces are there beside these screws.
+            directions: Look at those of lines always, not only where every translation,
+                or every couple, is among the screws.
         """
         self._held = held
         self._framed = framed
         self._root = root
         self._library = library
         self._given = screws
+        self._always = directions
 
     def of(self, piece: Piece, smallest: int = 1, largest: int = 5) -> str | None:
         """A sentence that holds exactly on the piece; None where none was found.
@@ -123,6 +128,19 @@ class Figures:
                 provisional = f"{sentence} (given {given})"
         return provisional
 
+    def holding(
+        self, piece: Piece, largest: int = 3
+    ) -> Iterator[tuple[str, list[Polynomial]]]:
+        """What is dependent on a piece and perhaps elsewhere, with its minors."""
+        on = [point for branch in piece.branches for point in branch.points]
+        if not on or not self._root.points:
+            return
+        for view, chosen, left in self._dependent(on, 1, largest):
+            sentence = self._sentence(view, chosen, left)
+            minors = sentence and self._minors(view, chosen, left)
+            if sentence and minors:
+                yield sentence, minors
+
     # -- ways to look at the screws ----------------------------------------------
 
     @cached_property
@@ -144,11 +162,20 @@ class Figures:
         """Where every translation, or every couple, is among the screws."""
         point, prime = self._root.points[0]
         free = [s.at(point, prime)[MOMENT] for s in self._screws if s.free]
-        lines = tuple(s for s in self._screws if not s.free and not s.ball)
-        if len(lines) > 1 and len(free) > 2 and rank(free, prime) == 3:
+        if not self._always and (len(free) < 3 or rank(free, prime) < 3):
+            return
+        lines: list[NamedScrew] = []  # of parallel ones the first
+        ways: list[list[int]] = []
+        for screw in self._screws:
+            way = screw.at(point, prime)[DIRECTION]
+            if screw.free or screw.ball or any(rank([w, way], prime) < 2 for w in ways):
+                continue
+            lines.append(screw)
+            ways.append(way)
+        if len(lines) > 1:
             columns = tuple(s.column[DIRECTION] for s in lines)
             yield View(
-                lines,
+                tuple(lines),
                 columns,
                 2,
                 lambda s, left, rows, p: dependent_directions(s, left),
@@ -229,13 +256,21 @@ class Figures:
     def _beside(
         self, piece: Piece, view: View, chosen: Sequence[int], left: int
     ) -> list[Polynomial] | None:
+        minors = self._minors(view, chosen, left)
+        if minors is None:
+            return None
+        return zeros_beside(piece, minors, self._root, self._library)
+
+    def _minors(
+        self, view: View, chosen: Sequence[int], left: int
+    ) -> list[Polynomial] | None:
+        """They vanish where the rank is no larger; None if they cost too much."""
         ring = self._framed.ring
         columns = [view.columns[i] for i in chosen]
         sizes = sorted((sum(map(len, c)) for c in columns), reverse=True)
         if prod(sizes[: left + 1]) > _COSTLIEST:
             return None
-        minors = [ring.normal(m) for m in minors_of_size(ring, columns, left + 1)]
-        return zeros_beside(piece, minors, self._root, self._library)
+        return [ring.normal(m) for m in minors_of_size(ring, columns, left + 1)]
 
 
 def _circuits(

@@ -6,11 +6,13 @@ only an equivalent one is called its meaning.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
+from itertools import islice
 
 from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.cases import possible_factors
+from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.points import Point as ExactPoint
@@ -18,12 +20,17 @@ from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.kinematics.frames import FramedTwists
-from screwkit.loci.features import Features, Statement, statements
+from screwkit.loci.conjunctions import Said, conjunction
+from screwkit.loci.features import FAR, LONG, Features, Statement, statements
 from screwkit.loci.figures import Figures
 from screwkit.loci.pieces import Piece, pieces_of
 from screwkit.loci.placed_features import Residue, features_at, features_of
+from screwkit.loci.same_zeros import without_condition
 
 _GIVEN = "(given"
+_OF_TWO = ("line", "on", "coincide", "parallel", "perpendicular", "meet")
+_SHORT = 60  # terms of a statement that is looked at together with others
+_DEPENDENT = 20  # figures of one kind that are looked at together
 _LARGEST = 400  # terms of a statement that is compared with a locus
 
 
@@ -36,12 +43,17 @@ class Meanings:
         root: Branch,
         library: FactorLibrary,
         figures: Sequence[Figures] = (),
+        figures_on: Callable[[Piece], Figures] | None = None,
     ) -> None:
-        """What is looked at: axes and points, then figures of lines."""
+        """What is looked at: axes and points, then figures of lines.
+
+        ``figures_on`` gives lines that a limb resists along on a piece alone.
+        """
         self._framed = framed
         self._root = root
         self._library = library
         self._figures = figures
+        self._figures_on = figures_on
         self._found: dict[frozenset[str], str | None] = {}
         self._at: dict[tuple[int, ...], Features[Residue]] = {}
 
@@ -70,12 +82,15 @@ class Meanings:
 
     def _search(self, piece: Piece) -> str | None:
         candidates = self._holding(piece.branches)
-        for statement in candidates:
-            if self._same_set(statement, piece):
-                return statement.words
+        same = (s for s in candidates if self._same_set(s, piece))
+        statement = next(same, None)
+        if statement is not None and statement.kind not in LONG:
+            return statement.words
         figure = self._figure(piece)
         if figure is not None and _GIVEN not in figure:
             return figure
+        if statement is not None:
+            return statement.words
         return self._given(candidates, piece) or figure
 
     def _figure(self, piece: Piece) -> str | None:
@@ -92,32 +107,79 @@ class Meanings:
         found = (figures.of(piece, 6, 6) for figures in self._figures)
         return next((sentence for sentence in found if sentence), None)
 
-    def each_of(self, piece: Piece) -> str | None:
-        """A sentence for the piece, or one for each of its equations that has one."""
+    def each_of(self, piece: Piece, others: Sequence[Piece] = ()) -> str | None:
+        """A sentence for the piece, or for each of its equations, or several together.
+
+        Args:
+            piece: A component.
+            others: All components in the order in which they are counted; a sentence
+                that holds on two of them and nowhere else says so.
+        """
         if len(piece.equations) == 1:
             return self.of(piece)
         # Whether a statement about axes is several equations at once takes long.
         whole = self._figure(piece)
         if whole is not None:
             return whole
-        sentences = []
+        alone = self._each_alone(piece)
+        if len(alone) > piece.codimension or not alone:
+            alone = self._together(piece, others) or alone
+        return "; ".join(alone) or None
+
+    def _together(self, piece: Piece, others: Sequence[Piece]) -> list[str] | None:
+        """Statements and figures that hold on the piece, as many as it takes."""
+        if not all(branch.points for branch in piece.branches):
+            return None
+        statements = self._said_of(piece)
+        found = conjunction(piece, statements, self._root, self._library, others)
+        if found is None:
+            return None
+        words = list(found.words)
+        for number in found.elsewhere:
+            words[-1] += f" (here and on component {number + 1})"
+        return words
+
+    def _said_of(self, piece: Piece) -> Iterator[Said]:
+        """Of axes and points, then of dependent lines, then of more than two."""
+        holding = self._holding(piece.branches, len(piece.branches))
+        short = [s for s in holding if s.kind in _OF_TWO]
+        for statement in short:
+            yield from self._said(statement)
+        own = [] if self._figures_on is None else [self._figures_on(piece)]
+        for figures in (*self._figures, *own):
+            for words, minors in islice(figures.holding(piece), _DEPENDENT):
+                values = [primitive(m) for m in minors if m != 0]
+                if values and not any(len(v) > _SHORT for v in values):
+                    yield words, values
+        for statement in holding:
+            if statement.kind not in (*_OF_TWO, FAR):
+                yield from self._said(statement)
+
+    def _said(self, statement: Statement) -> Iterator[Said]:
+        scalars = self._scalars(statement)
+        if scalars and not any(len(value) > _SHORT for value in scalars):
+            yield statement.words, scalars
+
+    def _each_alone(self, piece: Piece) -> list[str]:
+        """A sentence for each of the equations; empty where one has none."""
+        sentences: list[str] = []
         for equation in piece.equations:
             branches = restricted(self._root, equation)
             if not branches or branches[0].is_special:
-                return None
+                return []
             sentence = self._alone(Piece((equation,), tuple(branches)))
             if sentence is None:
-                return None
+                return []
             sentences.append(sentence)
-        return "; ".join(sentences)
+        return list(dict.fromkeys(sentences))
 
     def _alone(self, piece: Piece) -> str | None:
         """A sentence without proviso: others of the equations may contradict it."""
         sentence = self.of(piece)
         return None if sentence is None or _GIVEN in sentence else sentence
 
-    def _holding(self, branches: Sequence[Branch]) -> list[Statement]:
-        points = [point for branch in branches[:2] for point in branch.points]
+    def _holding(self, branches: Sequence[Branch], seen: int = 2) -> list[Statement]:
+        points = [point for branch in branches[:seen] for point in branch.points]
         if not points:
             return []
         found = list(self._statements)
@@ -133,7 +195,8 @@ class Meanings:
     def _scalars(self, statement: Statement) -> list[Polynomial]:
         ring = self._framed.ring
         values = [ring.normal(v) for v in statement.scalars(self.features)]
-        return [primitive(v) for v in values if v != 0]
+        cleared = [ring.without_divisors([v])[0] for v in values if v != 0]
+        return [primitive(v) for v in cleared]
 
     def _same_set(self, statement: Statement, piece: Piece) -> bool:
         scalars = self._scalars(statement)
@@ -141,7 +204,9 @@ class Meanings:
             return False
         if len(scalars) == 1 and len(piece.equations) == 1:
             factors = possible_factors(self._root, scalars[0], self._library)
-            return [f.key for f in factors] == [str(primitive(piece.equations[0]))]
+            ring = self._framed.ring
+            key = condition_key(ring, piece.equations[0])
+            return len(factors) == 1 and not without_condition(ring, factors, key)
         if len(piece.equations) == 1:
             return self._only_there(statement, piece)
         search = Search(self._library, budget=12)
@@ -156,14 +221,14 @@ class Meanings:
         """
         ring = self._framed.ring
         values = [ring.normal(v) for v in statement.scalars(self.features)]
-        key = str(primitive(piece.equations[0]))
+        key = condition_key(ring, piece.equations[0])
         for start in range(0, len(values), 3):
             part = values[start : start + 3]
             square = ring.normal(sum((v * v for v in part), ring.zero))
             if square == 0 or len(square) > _LARGEST:
                 continue
             factors = possible_factors(self._root, square, self._library)
-            if [f.key for f in factors] == [key]:
+            if factors and not without_condition(ring, factors, key):
                 return True
         return False
 
@@ -171,15 +236,15 @@ class Meanings:
         """A statement that is the piece and one short condition more."""
         if len(piece.equations) != 1:
             return None
-        key = str(primitive(piece.equations[0]))
+        ring = self._framed.ring
+        key = condition_key(ring, piece.equations[0])
         for statement in candidates:
             scalars = self._scalars(statement)
             if len(scalars) != 1 or len(scalars[0]) > _LARGEST:
                 continue
             factors = possible_factors(self._root, scalars[0], self._library)
-            others = [f.equations[0] for f in factors if f.key != key]
+            others = without_condition(ring, factors, key)
             if len(others) < len(factors) and all(len(p) <= 2 for p in others):
-                ring = self._framed.ring
                 given = " and ".join(f"{equation_text(ring, p)} ≠ 0" for p in others)
                 return f"{statement.words} {_GIVEN} {given})"
         return None

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
+from functools import partial
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factors import FactorLibrary
@@ -12,7 +13,9 @@ from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.loci.figures import Figures
-from screwkit.loci.named_screws import NamedScrew, joint_screws, wrench_screws
+from screwkit.loci.limb_wrenches import wrench_screws
+from screwkit.loci.named_screws import NamedScrew, joint_screws
+from screwkit.loci.pieces import Piece
 from screwkit.loci.placed_features import features_of
 from screwkit.loci.placed_points import placed_at, placed_points, sample_points
 from screwkit.screw.vector import Vector, cross
@@ -48,6 +51,21 @@ def figures_of(
         lambda: held_points(assembly, locked),
     )
     return (axes, wrenches) if len(assembly.limbs) < 3 else (wrenches, axes)
+
+
+def figures_on(
+    assembly: Assembly, locked: Collection[str] = ()
+) -> Callable[[Piece], Figures]:
+    """What limbs transmit on a piece, where some have lost motions and resist more."""
+    framed = assembly.common_twists
+    given = framed, assembly.root(framed.ring), assembly.library(framed.ring)
+
+    def figures(piece: Piece) -> Figures:
+        on = [point for branch in piece.branches for point in branch.points]
+        screws = partial(wrench_screws, assembly, locked, on)
+        return Figures(*given, screws, directions=True)
+
+    return figures
 
 
 def held_points(

@@ -92,7 +92,9 @@ def features_of(framed: FramedTwists) -> Features[Polynomial]:
     points: list[Point[Polynomial]] = []
     for joint, centre in balls.items():
         through = tuple(a.joint for a in axes if _passes(ring, a, centre))
-        points.append(Point(through, (), centre, f"the centre of {joint}"))
+        limb = framed.limb_of(next(x for x in centres if centres[x] == joint))
+        name = f"the centre of {joint}"
+        points.append(Point(through, (), centre, name, limb))
     for axis in axes:
         if axis.point is None:
             continue
@@ -106,7 +108,7 @@ def features_of(framed: FramedTwists) -> Features[Polynomial]:
             # A centre stays: one axis through it, or none, does not fix it.
             points = [p for p in points if p.called or not set(p.joints) < set(through)]
             own = tuple(j for j in through if framed.limb_of(j) == axis.limb)
-            points.append(Point(through, own, axis.point))
+            points.append(Point(through, own, axis.point, limb=axis.limb))
     planes = []
     for number, corner in enumerate(points):
         for i in range(len(corner.joints)):

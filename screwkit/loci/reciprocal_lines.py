@@ -8,19 +8,39 @@ References: [BenHorinShoham2006].
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from itertools import combinations
+from typing import TypeAlias
 
 from screwkit.algebra.modular import rank
-from screwkit.algebra.points import residue
-from screwkit.algebra.trigonometric import Polynomial
+from screwkit.conventions import SCREW_DIMENSION
+from screwkit.kinematics.assembly import Assembly, LimbChain
+from screwkit.kinematics.limb_parts import motion_at
+from screwkit.kinematics.told_parts import whole_parts
 from screwkit.loci.bracket_forms import Sample
 from screwkit.loci.brackets import Line
 from screwkit.loci.placed_points import PlacedPoint, placed_at, power, wrench_through
 
+TwistsAt: TypeAlias = Sequence[Sequence[int]]
+"""Independent twists (ω; v) at one exact posture."""
+
+
+def twists_at(
+    assembly: Assembly,
+    limb: LimbChain,
+    locked: Collection[str],
+    samples: Sequence[tuple[Sequence[int], int]],
+) -> list[TwistsAt]:
+    """What a limb with locked joints allows at each posture, its inner loops closed."""
+    parts = whole_parts(assembly, limb, locked)
+    return [
+        motion_at(parts, SCREW_DIMENSION, [*point], prime).twists
+        for point, prime in samples
+    ]
+
 
 def reciprocal_lines(
-    passive: Sequence[Sequence[Polynomial]],
+    passive: Sequence[TwistsAt],
     own: Sequence[int],
     points: Sequence[PlacedPoint],
     samples: Sequence[tuple[Sequence[int], int]],
@@ -28,14 +48,13 @@ def reciprocal_lines(
     """Independent lines, and how many wrenches the limb has in general.
 
     Args:
-        passive: Its twists, (ω; v).
+        passive: Its twists at each of the postures, see `twists_at`.
         own: Numbers of its points.
         points: Of the mechanism.
         samples: Exact postures, not none; what holds at all of them holds always.
     """
     placed = [Sample(placed_at(points, at, prime), prime) for at, prime in samples]
-    twists = [[[residue(x, at, p) for x in t] for t in passive] for at, p in samples]
-    wanted = 6 - max(rank(t, s.prime) for t, s in zip(twists, placed, strict=True))
+    wanted = 6 - max(len(twists) for twists in passive)
     pairs = sorted(
         combinations(own, 2),
         key=lambda pair: (
@@ -49,7 +68,7 @@ def reciprocal_lines(
             break
         reciprocal = all(
             not power(wrench_through(s.points[a], s.points[b]), twist) % s.prime
-            for own_twists, s in zip(twists, placed, strict=True)
+            for own_twists, s in zip(passive, placed, strict=True)
             for twist in own_twists
         )
         if reciprocal and independent([*chosen, (a, b)], placed[0]):

@@ -7,14 +7,15 @@ from itertools import islice
 
 from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.cases import possible_factors
+from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.division import Divisor
-from screwkit.algebra.factors import FactorLibrary
+from screwkit.algebra.factors import Factor, FactorLibrary
 from screwkit.algebra.half_angle import HalfAngles
 from screwkit.algebra.nowhere_zero import without_nowhere_zero
 from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.search import Search
-from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 from screwkit.loci.pieces import Piece, lies_in
 
 LARGEST = 1_500
@@ -52,7 +53,7 @@ def zeros_beside(
     if len(values[0]) > LARGEST:
         return None
     if len(piece.equations) == 1:
-        key = str(primitive(piece.equations[0]))
+        key = condition_key(root.ring, piece.equations[0])
         for value in islice(values, _FACTORED):
             beside = _beside(value, key, root, library)
             if beside == [] or (beside is not None and len(values) == 1):
@@ -81,13 +82,18 @@ def _beside(
     if len(value) > LARGEST:
         return None
     factors = possible_factors(root, value, library)
-    if all(f.key != key for f in factors):
+    others = without_condition(root.ring, factors, key)
+    if len(others) == len(factors):
         return None
-    return [
-        f.equations[0]
-        for f in factors
-        if f.key != key and not is_special(root, f.equations[0])
-    ]
+    return [e for e in others if not is_special(root, e)]
+
+
+def without_condition(
+    ring: TrigonometricRing, factors: Sequence[Factor], key: str
+) -> list[Polynomial]:
+    """The equations of all factors but the one with this `condition_key`."""
+    equations = [f.equations[0] for f in factors]
+    return [e for e in equations if condition_key(ring, e) != key]
 
 
 def _beside_divided(

@@ -22,7 +22,11 @@ from screwkit.loci.placed_points import (
     placed_points,
     sample_points,
 )
-from screwkit.loci.reciprocal_lines import independent, reciprocal_lines
+from screwkit.loci.reciprocal_lines import (
+    independent,
+    reciprocal_lines,
+    twists_at,
+)
 
 
 @dataclass(frozen=True)
@@ -63,11 +67,7 @@ def six_lines(assembly: Assembly, actuated: Collection[str]) -> SixLines | str:
     placed = [Sample(placed_at(points, at, prime), prime) for at, prime in samples]
     chosen: list[Line] = []
     for number, limb in enumerate(assembly.limbs):
-        if (
-            limb.elements is not None
-        ):  # what its loops forbid is no wrench of the joints
-            return f"limb {limb.name} has loops inside"
-        passive = [framed.column(j) for j in limb.joints if j not in actuated]
+        passive = twists_at(assembly, limb, actuated, samples)
         own = [i for i, owner in enumerate(owners) if number in owner]
         lines, wanted = reciprocal_lines(passive, own, points, samples)
         if len(lines) < wanted:

@@ -3,19 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 
 import numpy as np
 import pytest
-from loci.numeric import Array
+from loci.numeric import Array, values
 
 import screwkit as sk
 from screwkit.algebra.branches import restricted
+from screwkit.algebra.constant_multiples import condition_key
+from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.polynomial_text import text
+from screwkit.algebra.search import Search
+from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.assembly import Assembly
+from screwkit.loci.conjunctions import Conjunction, conjunction
 from screwkit.loci.features import Axis, Features, Point, statements
 from screwkit.loci.figure_words import dependent, dependent_about
+from screwkit.loci.limb_wrenches import wrench_screws
 from screwkit.loci.named_screws import AXIS, JOIN, SLIDE, NamedScrew, called
 from screwkit.loci.pieces import Piece
 from screwkit.loci.same_zeros import LARGEST, zeros_beside
+from screwkit.results.singularities import Singularities
 
 PRIME = 2**31 - 1
 SOURCE = np.random.default_rng(4)
@@ -173,6 +182,81 @@ def test_two_points_are_named_one_after_the_other() -> None:
         assert f"the line through {words} meets axis R" in said
 
 
+def test_statements_are_kept_that_cut_something_off() -> None:
+    assembly = Assembly(sk.load("3rpr_planar").mechanism)
+    ring = assembly.common_twists.ring
+    root, library = assembly.root(ring), assembly.library(ring)
+    x, y = (ring.symbol(n) - 1 for n in "xy")
+
+    def where(*equations: Polynomial) -> Piece:
+        zeros = common_zeros(root, equations, Search(library))
+        return Piece(equations, zeros.branches)
+
+    corner, line = where(x, y), where(x, y - 1)
+    said = [("wide", [x * y]), ("first", [x]), ("second", [y])]
+    found = conjunction(corner, said, root, library)
+    assert found == Conjunction(("first", "second"))
+    # A product that vanishes elsewhere too is not enough; nor is one that is squared.
+    assert conjunction(corner, said[:2], root, library) is None
+    assert conjunction(corner, [("x", [x, y * (y - 2)])], root, library) is None
+    # Real numbers are zero where the sum of their squares is.
+    squares = [("both", [x * x + y * y])]
+    assert conjunction(corner, squares, root, library) == Conjunction(("both",))
+    # Two components that share a statement say so; a third set hides that.
+    either = [("either", [x, y * (y - 1)])]
+    found = conjunction(corner, either, root, library, [corner, line])
+    assert found == Conjunction(("either",), (1,))
+    three = [("three", [x, y * (y - 1) * (y - 2)])]
+    assert conjunction(corner, three, root, library, [corner, line]) is None
+
+
+def test_multiples_by_roots_are_one_condition() -> None:
+    ring = Assembly(sk.load("delta_ss").mechanism).common_twists.ring
+    x, root = ring.symbol("x"), ring.generator("r3")
+    y = ring.symbol("y")
+    key = condition_key(ring, x + root * y)
+    assert condition_key(ring, ring.normal(-5 * root * (x + root * y))) == key
+    assert condition_key(ring, ring.normal((1 + root) * (x + root * y))) == key
+    assert condition_key(ring, x - root * y) != key
+    assert condition_key(ring, x + y) != key
+
+
+def test_wrenches_behind_a_hinge_are_those_of_rods() -> None:
+    """Of four rods and a hinge: what the rods carry and the hinge lets pass."""
+    assembly = Assembly(sk.load("h4").mechanism)
+    scheme = assembly.mechanism.actuated
+    ring = assembly.common_twists.ring
+    named = [s for s in wrench_screws(assembly, scheme) if s.limb == 0]
+    assert [s.free for s in named] == [False, False, True]
+    lengths = {"d": 1.0, "r": 1.3, "c": 0.4, "e": 2.1, "x": 0.3, "y": -0.2, "z": -4.7}
+    lengths |= {"s1": 4.4, "s2": 5.2, "s3": -6.1, "s4": -5.3}
+    phi = 0.37
+    posture = lengths | {"phi": phi}
+    rows = [values([text(ring, x) for x in s.column], posture) for s in named]
+    # By hand, in the frame of the base: the rods of the first half, and its hinge.
+    i, j, k = np.eye(3)
+    at = np.array([lengths[n] for n in "xyz"])
+    hinge = at + lengths["d"] * np.array([np.cos(phi), np.sin(phi), 0])
+    rods = []
+    for way, across, slide in (
+        (i, j, np.array([lengths["s1"], lengths["e"], 0])),
+        (j, i, np.array([lengths["e"], lengths["s2"], 0])),
+    ):
+        for side in (1, -1):
+            ball = hinge + lengths["r"] * way + side * lengths["c"] * across
+            rods.append(line(ball, slide + side * lengths["c"] * across - ball))
+    turning = line(hinge, k)
+    work = np.array([rod[:3] @ turning[3:] + rod[3:] @ turning[:3] for rod in rods])
+    passed = [*(np.linalg.svd(work[None])[2][1:] @ np.array(rods))]
+    assert rank(passed) == rank(rows) == 3
+    assert rank([*passed, *rows]) == 3
+
+
+@cache
+def _answer(case: str) -> Singularities:
+    return sk.singularities(sk.load(case))
+
+
 @pytest.mark.parametrize(
     ("case", "part", "sentence"),
     [
@@ -187,6 +271,23 @@ def test_two_points_are_named_one_after_the_other() -> None:
             "3rrr_planar",
             "actuation",
             "lines B1 C1, B2 C2 and B3 C3 meet in one point or are parallel",
+        ),
+        # The legs outstretched or folded: each pulls along its line alone.
+        (
+            "3rrr_planar",
+            "constraint",
+            "axes A1, C1 and B1 lie in one plane; axes A2, C2 and B2 lie in one plane; "
+            "axes A3, C3 and B3 lie in one plane; lines A1 C1, A2 C2 and A3 C3 meet in "
+            "one point or are parallel",
+        ),
+        (
+            "3prs",
+            "constraint",
+            "slide P11 is normal to the plane of axis R12 and the centre of S13; slide "
+            "P21 is normal to the plane of axis R22 and the centre of S23; slide P31 "
+            "is normal to the plane of axis R32 and the centre of S33; the common "
+            "normal of axes P11 and R12 is parallel to the plane of the centre of S13, "
+            "the centre of S23 and the centre of S33",
         ),
         ("five_bar", "actuation", "axes B, D and C lie in one plane"),
         ("five_bar", "constraint", "axes A, B, E, D and C lie in one plane"),
@@ -214,6 +315,6 @@ def test_two_points_are_named_one_after_the_other() -> None:
     ],
 )
 def test_known_conditions_are_said(case: str, part: str, sentence: str) -> None:
-    answer = sk.singularities(sk.load(case))
+    answer = _answer(case)
     found = answer.limb[0] if part == "limb" else getattr(answer, part)
     assert sentence in {component.geometry for component in found.components}

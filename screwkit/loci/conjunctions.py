@@ -1,0 +1,236 @@
+"""Several statements that hold together on a piece and nowhere else.
+
+A component of several equations is seldom one statement.  Of those that hold at its
+exact points, simplest first, each is kept that cuts off something beside the piece;
+what is left of the whole space after each is known exactly, as branches.
+
+References: [CoxLittleOShea] §4.6 (decomposition into irreducibles).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice
+
+from screwkit.algebra.branches import Branch, without
+from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.factors import FactorLibrary
+from screwkit.algebra.modular import rank
+from screwkit.algebra.points import differential, residue
+from screwkit.algebra.proved_inside import left_over
+from screwkit.algebra.search import Search
+from screwkit.algebra.trigonometric import Polynomial
+from screwkit.loci.pieces import Piece, surely_in
+
+_TRIED = 160  # statements
+_SAID = 6  # statements together
+_BESIDE = 12  # branches that are followed at once
+_AGAIN = 4  # statements that are looked at once more
+_SEARCHES = 40  # of branches for a statement, in all
+_BUDGET = 40  # case distinctions for one statement on one branch
+
+Said = tuple[str, Sequence[Polynomial]]
+"""A statement in words, and what vanishes where it holds."""
+
+
+@dataclass(frozen=True)
+class Conjunction:
+    """Statements that together hold on a piece, and where else.
+
+    Attributes:
+        words: None of them to spare.
+        elsewhere: Numbers of other components on which they hold too.
+    """
+
+    words: tuple[str, ...]
+    elsewhere: tuple[int, ...] = ()
+
+
+def conjunction(
+    piece: Piece,
+    statements: Iterable[Said],
+    root: Branch,
+    library: FactorLibrary,
+    others: Sequence[Piece] = (),
+) -> Conjunction | None:
+    """Statements that together hold exactly on a piece.
+
+    Args:
+        piece: A component.
+        statements: That hold at its exact points, simplest first.
+        root: The space in which it lies.
+        library: Factors met before, of the same ring.
+        others: Components that may share them, as mirror images do.
+
+    Returns:
+        None where none were found that are proved to hold nowhere else.
+    """
+    said = _strongest_first(piece, list(islice(statements, _TRIED)), root)
+    alone = _Cutting(piece, (), library).chosen(said, root)
+    if alone is not None:
+        return Conjunction(_words(alone)) if _holds(alone, piece, library) else None
+    for number, other in enumerate(others):
+        if other is piece or not _alike(piece, other):
+            continue
+        shared = [
+            one
+            for one in said
+            if not any(residue(s, *at) for s in one[1] for at in _points(other))
+        ]
+        if not _points(other) or not shared:
+            continue
+        both = _Cutting(piece, (other,), library).chosen(shared, root)
+        if both is not None and all(_holds(both, p, library) for p in (piece, other)):
+            return Conjunction(_words(both), (number,))
+    return None
+
+
+def _alike(one: Piece, other: Piece) -> bool:
+    """Whether two may be mirror images: equations of the same lengths."""
+    lengths = (sorted(map(len, piece.equations)) for piece in (one, other))
+    return next(lengths) == next(lengths) and one.codimension == other.codimension
+
+
+def _words(said: Sequence[Said]) -> tuple[str, ...]:
+    return tuple(words for words, _ in said)
+
+
+def _holds(said: Sequence[Said], piece: Piece, library: FactorLibrary) -> bool:
+    """Whether statements hold on all of a piece.
+
+    Where several conditions are pending its exact points may lie on one part of it.
+    Then they hold outside the zeros of a multiplier, which must be no part as large.
+    """
+    scalars = _all_of(said)[1]
+    for branch in piece.branches:
+        if len(branch.pending) < 2:
+            continue
+        systems = left_over(branch, [scalars])
+        if systems is None:
+            return False
+        before = branch
+        for pending in branch.pending:
+            before = without(before, pending)
+        own = [value for value in map(before.value, piece.equations) if value != 0]
+        for system in systems:
+            search = Search(library, budget=_BUDGET)
+            zeros = common_zeros(before, [*system, *own], search)
+            if not zeros.complete or any(
+                b.codimension <= branch.codimension for b in zeros.branches
+            ):
+                return False
+    return True
+
+
+def _points(piece: Piece) -> list[tuple[Sequence[int], int]]:
+    return [at for branch in piece.branches for at in branch.points]
+
+
+def _strongest_first(piece: Piece, said: list[Said], root: Branch) -> list[Said]:
+    """Those that are as many independent conditions as the piece before the others."""
+    point, prime = piece.branches[0].points[0]
+
+    def is_weaker(one: Said) -> bool:
+        rows = [differential(root.ring, s, [*point], prime) for s in one[1]]
+        return rank(rows, prime) < piece.codimension
+
+    return sorted(said, key=is_weaker)
+
+
+@dataclass
+class _Cutting:
+    """What statements leave of the space beside a piece, and beside known others.
+
+    Attributes:
+        left: Searches that may still be made.
+    """
+
+    piece: Piece
+    others: tuple[Piece, ...]
+    library: FactorLibrary
+    left: int = _SEARCHES
+
+    def chosen(self, said: Sequence[Said], root: Branch) -> list[Said] | None:
+        """Those that leave nothing; None where something is left."""
+        chosen: list[Said] = []
+        beside = [root]
+        waiting: list[Said] = []  # unknown at first, decided where others have cut
+        for again, one in self._in_turn(said, waiting):
+            cut = self._cut(one, beside)
+            if cut is None and again and chosen:
+                cut = self._cut(_all_of([*chosen, one]), [root])
+            if cut is None and not again:
+                waiting.append(one)
+            if cut is None or _same(cut, beside):
+                continue
+            chosen.append(one)
+            beside = cut
+            if not beside or len(chosen) == 2 * _SAID:
+                break
+        if beside:
+            return None
+        needed = self._needed(chosen, root)
+        short = len(needed) <= max(_SAID, self.piece.codimension)
+        return needed if short else None
+
+    def _in_turn(
+        self, said: Sequence[Said], waiting: Sequence[Said]
+    ) -> Iterator[tuple[bool, Said]]:
+        for one in said:
+            yield False, one
+        for one in waiting[:_AGAIN]:
+            yield True, one
+
+    def _needed(self, chosen: list[Said], root: Branch) -> list[Said]:
+        """The statements without those that the others are seen to imply."""
+        for one in chosen[::-1]:
+            rest = [other for other in chosen if other is not one]
+            if rest and self._suffice(rest, root):
+                chosen = rest
+        return chosen
+
+    def _suffice(self, said: Sequence[Said], root: Branch) -> bool:
+        """Whether statements are proved to hold nowhere besides."""
+        beside: list[Branch] | None = [root]
+        for one in said:
+            if beside:
+                beside = self._cut(one, beside)
+        if beside is None:
+            beside = self._cut(_all_of(said), [root])
+        return beside == []
+
+    def _cut(self, said: Said, beside: Sequence[Branch]) -> list[Branch] | None:
+        """Where on these branches a statement holds besides; None if unknown."""
+        _, scalars = said
+        known = (self.piece, *self.others)
+        found: list[Branch] = []
+        for branch in beside:
+            if not branch.points:
+                return None
+            if not any(residue(s, *at) for s in scalars for at in branch.points):
+                found.append(branch)
+                continue
+            if not self.left:
+                return None
+            self.left -= 1
+            values = [value for value in map(branch.value, scalars) if value != 0]
+            search = Search(self.library, budget=_BUDGET)
+            zeros = common_zeros(branch, values, search)
+            if not zeros.complete or any(not b.points for b in zeros.branches):
+                return None
+            found += [
+                b for b in zeros.branches if not any(surely_in(b, p) for p in known)
+            ]
+        return found if len(found) <= _BESIDE else None
+
+
+def _all_of(said: Sequence[Said]) -> Said:
+    """Statements as one."""
+    return "; ".join(words for words, _ in said), [s for _, own in said for s in own]
+
+
+def _same(cut: Sequence[Branch], beside: Sequence[Branch]) -> bool:
+    return len(cut) == len(beside) and all(
+        a is b for a, b in zip(cut, beside, strict=True)
+    )
