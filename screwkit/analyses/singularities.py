@@ -102,7 +102,9 @@ def singularities(
         finished("actuation", actuation)
     progress("constraint", f"{len(assembly.joints)} columns")
     constraint = constraint_singularities(
-        assembly, lambda part: finished("constraint", part)
+        assembly,
+        lambda part: finished("constraint", part),
+        sum(len(limb.components) for limb in limbs),
     )
     finished("constraint", constraint)
     return put_together(
@@ -209,12 +211,14 @@ def _lies(inner: Piece, outer: Piece) -> bool:
 def constraint_singularities(
     assembly: Assembly,
     so_far: Callable[[ConstraintSingularities], None] = lambda part: None,
+    before: int = 0,
 ) -> ConstraintSingularities:
     """Where the loop constraint matrix loses rank.
 
     Args:
         assembly: The mechanism.
         so_far: Given what is known each time that pieces were found.
+        before: Components that are counted before these; sentences count with them.
     """
     if len(assembly.limbs) < 2 and not assembly.has_blocks:
         return ConstraintSingularities(
@@ -258,7 +262,7 @@ def constraint_singularities(
                 piece,
                 root,
                 library,
-                partial(_meaning, names, piece, ordered) if names else None,
+                partial(_meaning, names, piece, ordered, before) if names else None,
                 state_on(piece, limbs),
                 assembly.dimension,
             )
@@ -324,11 +328,15 @@ def _constraint_proof(drop: LoopDrop) -> str:
 
 
 def _meaning(
-    meanings: Meanings, piece: Piece, listed: Sequence[Piece], written: Piece
+    meanings: Meanings,
+    piece: Piece,
+    listed: Sequence[Piece],
+    before: int,
+    written: Piece,
 ) -> str | None:
     """A sentence for a piece of a list, by other equations of the same piece."""
     others = [written if other is piece else other for other in listed]
-    return meanings.each_of(written, others)
+    return meanings.each_of(written, others, before)
 
 
 def _constraint_component(

@@ -107,13 +107,16 @@ class Meanings:
         found = (figures.of(piece, 6, 6) for figures in self._figures)
         return next((sentence for sentence in found if sentence), None)
 
-    def each_of(self, piece: Piece, others: Sequence[Piece] = ()) -> str | None:
+    def each_of(
+        self, piece: Piece, others: Sequence[Piece] = (), before: int = 0
+    ) -> str | None:
         """A sentence for the piece, or for each of its equations, or several together.
 
         Args:
             piece: A component.
             others: All components in the order in which they are counted; a sentence
                 that holds on two of them and nowhere else says so.
+            before: Components that are counted before these.
         """
         if len(piece.equations) == 1:
             return self.of(piece)
@@ -123,10 +126,12 @@ class Meanings:
             return whole
         alone = self._each_alone(piece)
         if len(alone) > piece.codimension or not alone:
-            alone = self._together(piece, others) or alone
+            alone = self._together(piece, others, before) or alone
         return "; ".join(alone) or None
 
-    def _together(self, piece: Piece, others: Sequence[Piece]) -> list[str] | None:
+    def _together(
+        self, piece: Piece, others: Sequence[Piece], before: int
+    ) -> list[str] | None:
         """Statements and figures that hold on the piece, as many as it takes."""
         if not all(branch.points for branch in piece.branches):
             return None
@@ -136,7 +141,7 @@ class Meanings:
             return None
         words = list(found.words)
         for number in found.elsewhere:
-            words[-1] += f" (here and on component {number + 1})"
+            words[-1] += f" (here and on component {before + number + 1})"
         return words
 
     def _said_of(self, piece: Piece) -> Iterator[Said]:

@@ -149,8 +149,8 @@ def uncertified(answer: Singularities) -> str:
     if not any(part.complete for part in parts):
         return ""
     return (
-        "complete and never: as far as the search is right; --certificate FILE looks "
-        "for proofs that `verify` checks"
+        "complete and never are said by an exhaustive search; --certificate FILE looks "
+        "for proofs of them that `verify` checks"
     )
 
 

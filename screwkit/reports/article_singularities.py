@@ -64,11 +64,11 @@ def singularities_summary(answer: Singularities) -> str:
         if not all(own.complete for own in lists)
         else "; all lists are certified to be complete."
         if certified and all(certified)
-        else "; all lists are complete as far as the search is right: no certificate "
-        "was asked for."
+        else "; all lists are complete by an exhaustive search; no certificate was "
+        "asked for."
         if not certified
-        else "; all lists are complete as far as the search is right. Where a "
-        "certificate proves it, this is said."
+        else "; all lists are complete by an exhaustive search. Where a certificate "
+        "proves it, this is said."
     )
     return "".join(parts)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from functools import cache
 
@@ -318,3 +319,14 @@ def test_known_conditions_are_said(case: str, part: str, sentence: str) -> None:
     answer = _answer(case)
     found = answer.limb[0] if part == "limb" else getattr(answer, part)
     assert sentence in {component.geometry for component in found.components}
+
+
+def test_sentences_count_components_as_the_answer_does() -> None:
+    """Of 3-PRS: three limb components come before those that refer to each other."""
+    answer = _answer("3prs")
+    before = sum(len(limb.components) for limb in answer.limb)
+    for number, one in enumerate(answer.constraint.components, before + 1):
+        for told in re.findall(r"here and on component (\d+)", one.geometry or ""):
+            other = answer.constraint.components[int(told) - before - 1]
+            assert f"here and on component {number})" in (other.geometry or "")
+    assert "here and on component 5" in (answer.constraint.components[0].geometry or "")
