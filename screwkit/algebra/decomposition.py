@@ -25,6 +25,7 @@ from screwkit.algebra.cases import (
     shortest_choice,
     terms_of,
 )
+from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.linear_systems import linear_systems
 from screwkit.algebra.nowhere_zero import (
@@ -197,8 +198,8 @@ def _of_squares(
         terms = vanishing_together(branch.ring, branch.assumptions, polynomial)
         if terms is None:
             continue
-        known = {str(p) for p in polynomials}
-        if not known.issuperset(map(str, terms)):
+        known = {condition_key(branch.ring, p) for p in polynomials}
+        if any(condition_key(branch.ring, term) not in known for term in terms):
             return [*terms, *polynomials]
     return None
 

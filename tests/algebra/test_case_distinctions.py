@@ -24,6 +24,9 @@ from screwkit.algebra.substitution import reduced
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.taken_apart import taken_apart
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
+from screwkit.analyses.singularities import limb_singularities
+from screwkit.case import load
+from screwkit.kinematics.assembly import Assembly
 
 POSITIVE = Assumptions(frozenset({"a", "b"}))
 
@@ -415,3 +418,10 @@ def test_long_products_over_square_roots_hide_no_parts(shared: str) -> None:
     (part,) = polynomials(f"{shared}*{other}", f"{shared}*{THREE}", shared)[1][2:]
     if found.complete:
         assert any(str(part) in map(str, b.conditions) for b in found.branches)
+
+
+@pytest.mark.parametrize("case", ["exechon", "panda"])
+def test_what_squares_imply_is_not_added_time_and_again(case: str) -> None:
+    """The root of e² − a² − b² comes out with either sign: one condition, once."""
+    limbs = Assembly(load(case).mechanism)
+    assert limb_singularities(limbs, limbs.limbs[0]).complete

@@ -350,6 +350,7 @@ def test_nothing_is_divided_by_what_vanishes_there() -> None:
     """With θ1 = 0 or π, x·sin θ1 − y·cos θ1 = 0 says y = 0, and nothing of x."""
     found = sk.singularities(sk.load("3rrr_planar")).constraint.components
     (upright,) = (c for c in found if "sin(theta1)" in c.equations)
-    at = upright.equations.index("x*sin(theta1) - y*cos(theta1)")
-    solution = upright.solved[at]
-    assert solution is None or solution.variable != "x"
+    solution = upright.solved[upright.equations.index("y")]
+    assert solution is not None
+    assert (solution.variable, solution.values) == ("y", ("0",))
+    assert "x" not in {s.variable for s in upright.solved if s is not None}

@@ -140,6 +140,15 @@ def test_no_two_equations_are_solved_for_variables_of_each_other() -> None:
             assert name not in behind
 
 
+def test_nothing_is_solved_for_by_a_coefficient_that_vanishes_there() -> None:
+    for piece in pieces_where("sin(p)", "x*sin(p) - y*cos(p)")[2]:
+        ring = piece.branches[0].ring
+        cosine, sine = ring.cosine_sine("p")
+        whole = ring.normal(ring.symbol("x") * sine - ring.symbol("y") * cosine)
+        (solved,) = solved_equations(Piece((whole,), piece.branches))
+        assert solved is None or solved.variable != "x"
+
+
 def test_conditions_of_a_case_read_short() -> None:
     """Of 3-CRR: two links along each other's guides, and the platform there."""
     constraint = sk.singularities(sk.load("3crr")).constraint
