@@ -81,8 +81,12 @@ class Branch:
 
     @property
     def codimension(self) -> int:
-        """Each condition was irreducible and not zero on the branch before it."""
-        return len(self.conditions)
+        """Each condition was irreducible and not zero on the branch before it.
+
+        One that could not be solved and that later ones imply is none any more: with
+        sin θ = 0 and z = 0, x·sin θ + z·cos θ = 0 says nothing.
+        """
+        return len(self.steps) + len(self.pending)
 
     @cached_property
     def texts(self) -> frozenset[str]:

@@ -14,9 +14,10 @@ from screwkit.algebra.elimination import steps_of
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.implied import eliminants
+from screwkit.algebra.modular import rank
 from screwkit.algebra.nowhere_zero import FACTORED, without_nowhere_zero
 from screwkit.algebra.parse import parse
-from screwkit.algebra.points import residue
+from screwkit.algebra.points import differential, residue
 from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.search import Decomposition, Search, refined
 from screwkit.algebra.splitting import split
@@ -425,3 +426,17 @@ def test_what_squares_imply_is_not_added_time_and_again(case: str) -> None:
     """The root of e² − a² − b² comes out with either sign: one condition, once."""
     limbs = Assembly(load(case).mechanism)
     assert limb_singularities(limbs, limbs.limbs[0]).complete
+
+
+def test_a_condition_that_later_ones_imply_takes_no_dimension() -> None:
+    """x·sin p + z·cos p = 0 cannot be solved, and says nothing where z = sin p = 0."""
+    ring, (first, z, sine) = polynomials("x*sin(p) + z*cos(p)", "z", "sin(p)")
+    (unsolved,) = restricted(Branch(ring, Assumptions()), first)
+    assert unsolved.pending
+    (flat,) = restricted(unsolved, z)
+    for branch in restricted(flat, sine):
+        assert len(branch.conditions) == 3
+        assert branch.codimension == 2
+        point, prime = branch.points[0]
+        rows = [differential(ring, c, point, prime) for c in (z, sine)]
+        assert rank(rows, prime) == 2
