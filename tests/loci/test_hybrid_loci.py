@@ -6,7 +6,8 @@ all loop equations at once (`float_loops`).  The geometry is the directions of t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 
@@ -352,11 +353,35 @@ def test_what_is_known_to_be_complete() -> None:
     assert not answer("orthoglide").constraint.components
 
 
-def test_what_is_open_is_said() -> None:
-    """Where several limbs of a Delta are singular at once."""
+def parallel_forearms() -> Iterator[dict[str, float]]:
+    """Of a Delta, two of its arms in line with their forearms, and these parallel.
+
+    The shoulders at a·e, the elbows at a·e + l·(cos θ·e − sin θ·k), the wrists at
+    P + b·e: a forearm is P − (a − b + l·cos θ)·e + l·sin θ·k.
+    """
+    a, b, arm, z = 1.4, 1.0, 1.1, 0.9
+    own = {"a": a, "b": b, "l": arm}
+    angle = math.acos((b - a) / arm)  # the elbows come together: P + l·sin θ·k both
+    x = 2 * (arm * math.sin(angle) + z) * math.cos(angle) / math.sin(angle)
+    yield own | {"theta2": angle, "theta3": angle, "x": x, "y": 0.0, "z": z}
+    # All in the plane of the shoulders, where a forearm is P − (a − b + l)·e.
+    flat = {"theta2": 0.0, "theta3": 0.0, "x": (b - a - arm) / 2, "y": 0.3, "z": 0.0}
+    yield own | flat
+
+
+def test_two_forearms_of_a_delta_in_line_with_their_arms() -> None:
     found = answer("delta_4r").constraint
     assert not found.complete
-    assert "of codimension 3 or more" in found.reason
+    assert "of codimension 4 or more" in found.reason
+    for posture in parallel_forearms():
+        given = drawn("delta_4r", 5) | posture
+        on = [
+            c
+            for c in found.components
+            if np.max(np.abs(values(c.equations, given))) < NOISE
+        ]
+        assert on
+        assert clear_rank(at("delta_4r", given).loop_matrix()) < found.generic_rank
 
 
 def test_a_link_without_length_is_on_no_component() -> None:
