@@ -136,6 +136,19 @@ class GeneralClaims:
             self._tied(point, way)
         self.sampled[active] = None
 
+    def is_tied(self, point: PointRing, way: Way) -> bool:
+        """Whether the dimensions satisfy an equation on the sheet of a posture.
+
+        Args:
+            point: Before the steps of the way; it meets its conditions.
+            way: To the sheet.
+        """
+        try:
+            self._tied(point, way)
+        except RefusedError:
+            return False
+        return bool(self._names)
+
     def _are_tied(self, way: Way, text: str | None, *, alone: bool) -> bool:
         """Whether the dimensions are tied on all sheets of a condition."""
         try:
