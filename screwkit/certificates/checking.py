@@ -207,6 +207,8 @@ class _PartCheck:
             self._loci.equation(locus)
         elif locus.cover is None or self._postures.tied:
             self._loci.sampled[locus.equations] = None
+            if not self._postures.tied:
+                self._loci.unseen(locus)
         else:
             self._covered = locus
             self._node(locus.cover, Way(conditions=locus.equations))

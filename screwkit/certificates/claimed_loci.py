@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import replace
+from itertools import combinations
 
 from screwkit.algebra.all_roots import NoResidueError, vanishes
 from screwkit.algebra.exact_point import PointRing
@@ -226,8 +228,28 @@ class ClaimedLoci:
             elif own is not True:
                 self._seen.setdefault(locus.equations, []).append(own)
 
+    def unseen(self, locus: Locus) -> None:
+        """Look where two coordinates are 0 for regular postures on a component.
+
+        Raises:
+            RefusedError: If one is found there.
+        """
+        free = {*self._postures.symbols} - self._general.fixed - {"pi"}
+        texts = [read(text) for text in locus.equations]
+        for names in combinations(sorted(free), 2):
+            for point in self._postures.several(Way()):
+                there = point.changed(numbers=dict.fromkeys(names, point.zero))
+                if any(there.value(own) != 0 for own in texts):
+                    break
+                with suppress(ResampleError, ZeroDivisionError):
+                    rank, _ = self._numbers(there)
+                    if rank >= self._part.rank:
+                        raise RefusedError(f"the rank on it is {rank}, as in general")
+
     def covered(self, locus: Locus, cover: Node) -> None:
         """Note what is known of a component when all of its tree was looked at."""
+        if locus.equations in self.sampled:
+            self.unseen(locus)
         left = self._products | self._cased | {*self.sampled}
         if locus.equations not in left and _has_one_case(cover):
             self.irreducible[locus.equations] = None

@@ -45,6 +45,8 @@ class GeneralClaims:
         self._part = postures.part
         self._nonzero = sorted({*nonzero} & {*postures.symbols})
         self._names = sorted({*dimensions} & {*postures.symbols})
+        self.fixed = {*self._names, *self._nonzero}
+        """Symbols that are dimensions, or not 0."""
         self._ranks: dict[tuple[Way, str | None], list[tuple[int, ...]]] = {}
         self.sampled: dict[tuple[str, ...], None] = {}
         """Conditions that meet where only some postures were seen."""
