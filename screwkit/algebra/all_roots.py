@@ -152,6 +152,17 @@ def at_all_roots(polynomial: Any, found: Callable[[Any], T]) -> list[T]:
     return results
 
 
+def vanishes(value: Any) -> bool:
+    """Whether a residue is zero, or a value at every root.
+
+    Raises:
+        SplitError: If it is zero at some roots alone.
+    """
+    if isinstance(value, RootValue):
+        return value.is_zero()
+    return bool(value == 0)
+
+
 def rank_at_roots(rows: Sequence[Sequence[Any]], prime: int) -> int:
     """Rank of a matrix of residues and values at roots, the same at all of them.
 
@@ -170,7 +181,7 @@ def rank_at_roots(rows: Sequence[Sequence[Any]], prime: int) -> int:
         left.sort(key=lambda row: (_roots_in(row), len(row)))
         row = left.pop(0)
         plain = [k for k in row if not isinstance(row[k], RootValue)]
-        pivot = next((k for k in (plain or row) if not _is_zero(row[k])), None)
+        pivot = next((k for k in (plain or row) if not vanishes(row[k])), None)
         if pivot is None:
             continue
         rank += 1
@@ -189,12 +200,6 @@ def rank_at_roots(rows: Sequence[Sequence[Any]], prime: int) -> int:
 
 def _roots_in(row: Mapping[int, Any]) -> int:
     return sum(isinstance(value, RootValue) for value in row.values())
-
-
-def _is_zero(value: Any) -> bool:
-    if isinstance(value, RootValue):
-        return value.is_zero()
-    return bool(value == 0)
 
 
 def _root_of(part: Any) -> Any:

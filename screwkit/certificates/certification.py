@@ -14,6 +14,7 @@ from dataclasses import replace
 from screwkit.algebra.angle_basis import inverse_forms
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.names import counted
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.search import Search
@@ -27,7 +28,6 @@ from screwkit.certificates.real_postures import RealPostures, sides_of
 from screwkit.certificates.records import (
     Certificate,
     Locus,
-    Node,
     Part,
     Reach,
     Source,
@@ -211,9 +211,15 @@ class PartDerivation:
         return self._examined(replace(part, proof=proof))
 
     def _examined(self, part: Part) -> Part:
-        """The part, if the checker takes it."""
-        checked(self._subject.mechanism, part, "written", self._subject.parts)
-        return part
+        """The part, if the checker takes it, with what it was not shown."""
+        parts = self._subject.parts
+        found = checked(self._subject.mechanism, part, "written", parts)
+        left = len(found.sampled_components)
+        if not left:
+            return part
+        whose = counted(left, "component")
+        reason = f"not shown that the equations of {whose} hold at singular postures"
+        return replace(part, reason=f"{reason} alone")
 
     def _held(self, part: Part, reason: str) -> Part:
         """The claims without a proof, if they hold; else without components."""
@@ -233,7 +239,7 @@ class PartDerivation:
         limb: str,
         locked: Sequence[str],
     ) -> Part:
-        return Part(
+        part = Part(
             question=question,
             origin=self._framed.origin,
             angles=tuple(dict(form) for form in self._ring.basis),
@@ -247,6 +253,7 @@ class PartDerivation:
             scales=self._scales() or None,
             idle=tuple(self._locus(c, self._polynomials(c)) for c in idle),
         )
+        return self._covered(part)
 
     def _problem(
         self, loci: Iterable[tuple[Polynomial, ...]], question: str
@@ -299,15 +306,28 @@ class PartDerivation:
             max(self._matrix.rank_at(*at) for at in points),
             freedom,
             tuple(_reach(branch) for branch in branches),
-            self._cover(equations),
         )
         return sides_of(self._real, locus, random.Random(11))
 
-    def _cover(self, equations: tuple[Polynomial, ...]) -> Node | None:
-        """A tree to all sheets of several equations, where one is found."""
-        if len(equations) < 2:
-            return None
-        return cover_of(self._problem((), "constraint"), equations)
+    def _covered(self, part: Part) -> Part:
+        """With trees to all sheets of several equations, where they are found."""
+        components = tuple(self._with_cover(part, own) for own in part.components)
+        idle = tuple(self._with_cover(part, own, idle=True) for own in part.idle)
+        return replace(part, components=components, idle=idle)
+
+    def _with_cover(self, part: Part, locus: Locus, *, idle: bool = False) -> Locus:
+        if len(locus.equations) < 2:
+            return locus
+        problem = self._problem((), "constraint")
+        equations = tuple(evaluate(read(e), self._ring) for e in locus.equations)
+        found = replace(locus, cover=cover_of(problem, equations, whole=True))
+        if found.cover is not None:
+            alone = replace(part, components=() if idle else (found,))
+            alone = replace(alone, idle=(found,) if idle else (), proof=None)
+            with suppress(RefusedError):
+                checked(self._subject.mechanism, alone, "written")
+                return found
+        return replace(locus, cover=cover_of(problem, equations, whole=False))
 
     def _branches(
         self, equations: tuple[Polynomial, ...], codimension: int

@@ -42,6 +42,7 @@ from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.solutions import Solutions
 from screwkit.certificates.texts import NoPostureError, RefusedError, read
+from screwkit.certificates.towers import Towers
 from screwkit.mechanism.graph import limbs
 from screwkit.mechanism.model import Mechanism
 
@@ -146,8 +147,9 @@ class _PartCheck:
         self._products = Products(self._postures, self._matrix, self._limbs)
         self._solutions = Solutions(self._postures, self._signs)
         self._closed = ClosedPostures(mechanism, self._postures)
+        towers = Towers(self._postures, self._sheets, self._solutions)
         self._loci = ClaimedLoci(
-            self._postures, self._matrix, self._sheets, self._closed
+            self._matrix, self._sheets, towers, self._closed, self._general
         )
         self._real = RealPostures(
             self._postures.declared,
@@ -205,6 +207,8 @@ class _PartCheck:
             self._loci.equation(locus)
         elif locus.cover is None or self._postures.tied:
             self._loci.sampled[locus.equations] = None
+            if not self._postures.tied:
+                self._loci.unseen(locus)
         else:
             self._covered = locus
             self._node(locus.cover, Way(conditions=locus.equations))
@@ -235,7 +239,11 @@ class _PartCheck:
         if node.sheet:
             if self._covered is None:
                 raise RefusedError("nothing is said of it")
-            self._loci.sheet(self._covered, way)
+            self._loci.sheet(self._covered, way, node)
+            for case in node.cases:
+                self._case(case, way)
+        elif node.small:
+            self._loci.small(self._covered, way)
         elif node.component >= 0:
             self._on_component(node, way)
         elif node.earlier >= 0:

@@ -2,46 +2,56 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from dataclasses import replace
+from itertools import combinations
 
-from screwkit.algebra.all_roots import NoResidueError
+from screwkit.algebra.all_roots import NoResidueError, vanishes
 from screwkit.algebra.exact_point import PointRing
+from screwkit.algebra.modular import ResampleError
 from screwkit.certificates.closed_postures import ClosedPostures
+from screwkit.certificates.general_claims import GeneralClaims
 from screwkit.certificates.graph_matrix import GraphMatrix
 from screwkit.certificates.irreducible_equations import Shape, shape_of
-from screwkit.certificates.postures import Postures, Way
+from screwkit.certificates.postures import Way
 from screwkit.certificates.records import Locus, Node
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.texts import RefusedError, read
+from screwkit.certificates.towers import Towers
 
 
 class ClaimedLoci:
     """The components of one part under examination.
 
     Args:
-        postures: Of the mechanism and the part.
         matrix: Of the part.
         sheets: Of conditions.
+        towers: Of several conditions at once.
         closed: Its closed postures.
+        general: Whether dimensions are tied.
     """
 
     def __init__(
         self,
-        postures: Postures,
         matrix: ScrewMatrix | GraphMatrix,
         sheets: Sheets,
+        towers: Towers,
         closed: ClosedPostures,
+        general: GeneralClaims,
     ) -> None:
-        self._postures, self._matrix, self._sheets = postures, matrix, sheets
-        self._closed = closed
-        self._part = postures.part
+        self._postures, self._matrix, self._sheets = sheets.postures, matrix, sheets
+        self._towers, self._closed, self._general = towers, closed, general
+        self._part = self._postures.part
         self.freedom = -1
         """Of a limb by its loop equations: what it allows the platform in general."""
         self._seen: dict[tuple[str, ...], list[tuple[int, int | None]]] = {}
         self._products: set[tuple[str, ...]] = set()
         self.sampled: dict[tuple[str, ...], None] = {}
-        """Equations of components of which only some postures were seen."""
+        """Equations of components that may hold at other postures too."""
+        self._cased: set[tuple[str, ...]] = set()
+        """Those whose trees have sheets that need be none of the component's own."""
         self.irreducible: dict[tuple[str, ...], None] = {}
         """Equations of components that were shown to be no product."""
 
@@ -110,23 +120,137 @@ class ClaimedLoci:
             self.irreducible[locus.equations] = None
         self._look(locus, Way(), text)
 
-    def sheet(self, locus: Locus, way: Way) -> None:
+    def sheet(self, locus: Locus, way: Way, node: Node) -> None:
         """Look at all sheets of a way on which the equations of a component hold.
 
-        Where several conditions meet it is said that only some postures were seen.
+        Where that is not possible it is said that they may hold elsewhere.
+
+        Raises:
+            RefusedError: If they hold at regular postures.
         """
-        active = self._sheets.active(way)
-        if len(active) > 1:
+        if node.roots:
+            self._towers.check(node, way)
+            self._cased.add(locus.equations)
+        try:
+            self._all_sheets(locus, way, node)
+        except (NoResidueError, ResampleError):
             self.sampled[locus.equations] = None
+
+    def _all_sheets(self, locus: Locus, way: Way, node: Node) -> None:
+        texts = tuple(own.equation for own in node.roots)
+
+        def judged(at: PointRing, there: PointRing) -> tuple[int, int | None] | bool:
+            return self._judged(locus, way, replace(way, conditions=texts), at, there)
+
+        if node.roots:
+            self._note(locus, self._towers.on(way, node.roots, judged))
             return
-        text = next(iter(active), None)
+        active = self._sheets.active(way)
+        texts = active
+        if len(active) > 1:
+            self._cased.add(locus.equations)
+            texts = tuple(own for own in active if self._is_all(own, way))[:1]
+            if not texts:
+                self.sampled[locus.equations] = None
+                return
+        text = next(iter(texts), None)
         if text and shape_of(self._sheets, text, way) is not Shape.IRREDUCIBLE:
             self._products.add(locus.equations)
-        self._look(locus, way, text)
+        if locus.equations in self._cased:
+            self._note(locus, self._sheets.on(way, text, judged))
+        else:
+            self._look(locus, way, text)
+
+    def small(self, locus: Locus | None, way: Way) -> None:
+        """Check that a way has fewer dimensions than n − k, for k equations.
+
+        Whatever k equations cut out has n − k at least (Krull), so that the way lies in
+        the closure of what is met elsewhere.
+
+        Raises:
+            RefusedError: If it may have more.
+        """
+        if locus is None:
+            raise RefusedError("it says nothing about a proof")
+        points = [self._postures.moved(b, way) for b in self._sheets.choices(way)]
+        solved, conditions = len(way.steps), [read(text) for text in way.conditions]
+        if all(any(x.value(own) != 0 for own in conditions) for x in points):
+            solved += 1
+        if solved <= len(locus.equations):
+            raise RefusedError("it may be a sheet of the component")
+
+    def _is_all(self, text: str, way: Way) -> bool:
+        """Whether all conditions of a way hold wherever one of them does."""
+        others = [read(own) for own in way.conditions]
+
+        def hold(_: PointRing, there: PointRing) -> bool:
+            return all(there.value(own) == 0 for own in others)
+
+        return all(self._sheets.on(way, text, hold))
+
+    def _judged(
+        self, locus: Locus, way: Way, wider: Way, at: PointRing, there: PointRing
+    ) -> tuple[int, int | None] | bool:
+        """What is seen at a posture, if it is as on the component; if the sheet counts.
+
+        Where dimensions are tied nothing is said; where equations of the component do
+        not hold, or it is not clear whether the posture is near singular ones, False.
+
+        Args:
+            locus: The component.
+            way: To the sheet.
+            wider: With the conditions that were met.
+            at: The posture before the steps.
+            there: The posture.
+
+        Raises:
+            RefusedError: If it is a regular posture.
+        """
+        if self._general.is_tied(at, wider):
+            return True
+        if not all(vanishes(there.value(read(text))) for text in way.conditions):
+            return False
+        rank, freedom = self._numbers(there)
+        if rank >= self._part.rank:
+            raise RefusedError(f"the rank on it is {rank}, as in general")
+        if rank == locus.rank and freedom in (None, locus.freedom):
+            return rank, freedom
+        if freedom is not None and self._part.question == "actuation":
+            return freedom > 0 or locus.freedom == 0
+        return freedom is None or self.freedom < 0 or freedom < self.freedom
+
+    def _note(
+        self, locus: Locus, seen: Iterable[tuple[int, int | None] | bool]
+    ) -> None:
+        for own in seen:
+            if own is False:
+                self.sampled[locus.equations] = None
+            elif own is not True:
+                self._seen.setdefault(locus.equations, []).append(own)
+
+    def unseen(self, locus: Locus) -> None:
+        """Look where two coordinates are 0 for regular postures on a component.
+
+        Raises:
+            RefusedError: If one is found there.
+        """
+        free = {*self._postures.symbols} - self._general.fixed - {"pi"}
+        texts = [read(text) for text in locus.equations]
+        for names in combinations(sorted(free), 2):
+            for point in self._postures.several(Way()):
+                there = point.changed(numbers=dict.fromkeys(names, point.zero))
+                if any(there.value(own) != 0 for own in texts):
+                    break
+                with suppress(ResampleError, ZeroDivisionError):
+                    rank, _ = self._numbers(there)
+                    if rank >= self._part.rank:
+                        raise RefusedError(f"the rank on it is {rank}, as in general")
 
     def covered(self, locus: Locus, cover: Node) -> None:
         """Note what is known of a component when all of its tree was looked at."""
-        left = self._products | {*self.sampled}
+        if locus.equations in self.sampled:
+            self.unseen(locus)
+        left = self._products | self._cased | {*self.sampled}
         if locus.equations not in left and _has_one_case(cover):
             self.irreducible[locus.equations] = None
 

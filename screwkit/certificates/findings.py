@@ -14,8 +14,8 @@ class Findings:
     Attributes:
         irreducible: Equations of components that were shown to be no product.
         real: Equations of components that were shown to have real postures.
-        sampled_components: Equations of components that were seen at some of their
-            postures; on other sheets of them, if there are any, ranks may be larger.
+        sampled_components: Equations of components that were not shown to hold at
+            singular postures alone: they were seen at some of their postures.
         sampled_conditions: Conditions that meet in the proof, where what was seen at
             some postures need not hold on other sheets, if there are any.
     """

@@ -45,6 +45,8 @@ class GeneralClaims:
         self._part = postures.part
         self._nonzero = sorted({*nonzero} & {*postures.symbols})
         self._names = sorted({*dimensions} & {*postures.symbols})
+        self.fixed = {*self._names, *self._nonzero}
+        """Symbols that are dimensions, or not 0."""
         self._ranks: dict[tuple[Way, str | None], list[tuple[int, ...]]] = {}
         self.sampled: dict[tuple[str, ...], None] = {}
         """Conditions that meet where only some postures were seen."""
@@ -135,6 +137,19 @@ class GeneralClaims:
                 raise RefusedError("a length that is not 0 vanishes on it")
             self._tied(point, way)
         self.sampled[active] = None
+
+    def is_tied(self, point: PointRing, way: Way) -> bool:
+        """Whether the dimensions satisfy an equation on the sheet of a posture.
+
+        Args:
+            point: Before the steps of the way; it meets its conditions.
+            way: To the sheet.
+        """
+        try:
+            self._tied(point, way)
+        except RefusedError:
+            return False
+        return bool(self._names)
 
     def _are_tied(self, way: Way, text: str | None, *, alone: bool) -> bool:
         """Whether the dimensions are tied on all sheets of a condition."""

@@ -169,7 +169,10 @@ class Node:
         vanishing: Nothing is there, because this symbol is 0, which is never 0.
         special: The dimensions of the mechanism are tied to each other there.
         sheet: It is a sheet of the component whose postures the tree covers.
+        small: It has fewer dimensions than k equations leave, the component has k.
         roots: How its unsolved conditions are met, where postures on them are needed.
+            Of a sheet: one after the other, each linear in an unknown that those before
+            it lack; for each there is a case, that its coefficients vanish.
         impossible: A condition that cannot hold here, by the signs of its terms.
         impossible_value: What the condition is here, up to divisors of steps.
         rank: Of the matrix in general on the node.
@@ -192,6 +195,7 @@ class Node:
     vanishing: str = ""
     special: bool = False
     sheet: bool = False
+    small: bool = False
     roots: tuple[Unsolved, ...] = ()
     impossible: int = -1
     impossible_value: str = ""
@@ -287,7 +291,7 @@ class Part:
             starts.
         closed: How closed postures are met in general.
         proof: That there is no other component; None if none was found.
-        reason: Why there is no proof.
+        reason: Why there is no proof; or what is not shown besides.
     """
 
     question: str

@@ -128,12 +128,17 @@ class Sheets:
 
         Of a fraction the numerator.
         """
-        found = {u: self._numerator(way, text, before, u) for u in unknowns}
+        found = {u: self.numerator(way, text, before, u) for u in unknowns}
         return {u: own for u, own in found.items() if own.degree() > 0}
 
-    def _numerator(
+    def numerator(
         self, way: Way, text: str, before: PointRing, unknown: Unknown
     ) -> Any:
+        """An expression as a polynomial in one unknown; of a fraction the numerator.
+
+        Raises:
+            RefusedError: If the expression has too high a degree.
+        """
         expression = read(text)
 
         def value(place: Any) -> Any:

@@ -15,7 +15,7 @@ from screwkit.algebra.exact_point import PointRing, Turn
 from screwkit.algebra.expression import Expression
 from screwkit.certificates.multiples import divided
 from screwkit.certificates.postures import Postures, Way
-from screwkit.certificates.records import Case, Step
+from screwkit.certificates.records import Case, Step, Unsolved
 from screwkit.certificates.root_postures import linear_solution
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.texts import RefusedError, fraction, read
@@ -88,6 +88,42 @@ class Solutions:
             if value != p * s + q * c + r:
                 raise RefusedError("an equation is not linear in sine and cosine")
         return p, q, r
+
+    def _linear_in(
+        self, symbol: str, equation: Expression, point: PointRing, way: Way
+    ) -> tuple[Any, Any]:
+        """(A, B) with equation = A·x + B for every value of a symbol x.
+
+        Raises:
+            RefusedError: If it is not of that form.
+        """
+        if symbol not in point.numbers:
+            raise RefusedError(f"there is no symbol {symbol!r}")
+
+        def at(value: Any) -> Any:
+            moved = point.changed(numbers={symbol: value})
+            return self._postures.moved(moved, way).value(equation)
+
+        x = point.symbol(symbol)
+        y = x + point.one
+        a = at(y) - at(x)
+        b = at(x) - a * x
+        if at(x + y) != a * (x + y) + b or at(x * y) != a * x * y + b:
+            raise RefusedError(f"an equation is not linear in {symbol}")
+        return a, b
+
+    def coefficients(
+        self, own: Unsolved, point: PointRing, way: Way
+    ) -> tuple[Any, ...]:
+        """Of a condition linear in a symbol, or in sine and cosine of an angle.
+
+        Raises:
+            RefusedError: If it is not.
+        """
+        equation = read(own.equation)
+        if own.angle < 0:
+            return self._linear_in(own.symbol, equation, point, way)
+        return self._linear(equation, own.angle, point, way)
 
     def _two_turns(self, case: Case, steps: Sequence[Step], way: Way) -> None:
         """P·sin φ + Q·cos φ = 0 with constant P² + Q²: two opposite turns."""
@@ -196,19 +232,7 @@ class Solutions:
     def _symbol(self, equation: Expression, step: Step, way: Way) -> None:
         """A·x + B = 0 where A and B have no common zero."""
         for point in self._postures.several_before(way):
-            if step.symbol not in point.numbers:
-                raise RefusedError(f"there is no symbol {step.symbol!r}")
-
-            def at(value: Any, point: PointRing = point) -> Any:
-                moved = point.changed(numbers={step.symbol: value})
-                return self._postures.moved(moved, way).value(equation)
-
-            x = point.symbol(step.symbol)
-            y = x + point.one
-            a = at(y) - at(x)
-            b = at(x) - a * x
-            if at(x + y) != a * (x + y) + b or at(x * y) != a * x * y + b:
-                raise RefusedError(f"an equation is not linear in {step.symbol}")
+            a, b = self._linear_in(step.symbol, equation, point, way)
             if a * point.value(read(step.value)) + b * point.value(read(step.over)):
                 raise RefusedError(f"an equation is solved otherwise for {step.symbol}")
             if a == 0 or point.value(read(step.over)) == 0:

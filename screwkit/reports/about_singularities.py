@@ -132,6 +132,8 @@ def verdict(
     found = "never" if none else "complete"
     if part.certified:
         found += ", certified"
+        if part.uncertified:
+            found += f", but {part.uncertified}"
     elif part.certified is not None:
         found += f" by search, not certified ({part.uncertified})"
     return f"{found}: {proof}" if proof else found

@@ -8,6 +8,8 @@ from screwkit.algebra.names import counted
 from screwkit.reports.blocks import Block, Paragraph, words
 from screwkit.results.verification import Verification, VerifiedPart
 
+NOT_ALONE = "not shown that its equations hold at singular postures alone"
+
 
 def verification_blocks(answer: Verification) -> tuple[Block, ...]:
     """The whole answer."""
@@ -17,6 +19,8 @@ def verification_blocks(answer: Verification) -> tuple[Block, ...]:
     said = "accepted: every list is complete" if every else "accepted, with open lists"
     if every and any(part.sampled_conditions for part in answer.parts):
         said = "accepted: every list is complete, with the reservation below"
+    if any(part.sampled for part in answer.parts):
+        said += "; not every component is certified"
     if answer.schemes and not answer.parts:
         said = "accepted"
     lines = [Paragraph(words(said), 1)]
@@ -39,7 +43,7 @@ def verification_blocks(answer: Verification) -> tuple[Block, ...]:
 def _remarks(part: VerifiedPart) -> Iterator[str]:
     """What was not shown."""
     if part.sampled:
-        yield f"seen on some sheets only: {_named(part.sampled)}"
+        yield f"{NOT_ALONE}: {_named(part.sampled)}"
     every = range(1, part.components + 1)
     for text, shown in (
         ("not shown to be irreducible", part.irreducible),

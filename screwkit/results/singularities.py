@@ -68,7 +68,7 @@ class LimbSingularities:
         reason: Why it is not complete; empty where it is.
         certified: Whether a certificate carries a proof of that, which `verify` checks
             from the mechanism alone; None where no certificate was asked for.
-        uncertified: Why it carries none; empty where it does.
+        uncertified: Why it carries none; where it does, what it does not show besides.
     """
 
     limb: str

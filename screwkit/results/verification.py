@@ -21,8 +21,8 @@ class VerifiedPart:
         irreducible: Components that were shown to be no product, by number from 1 in
             the order of the certificate, those on which only limbs move behind.
         real: Components that were shown to have real postures.
-        sampled: Components of which only some postures were seen: on other sheets, if
-            there are any, the rank may not fall.
+        sampled: Components whose equations were not shown to hold at singular postures
+            alone: only some of their postures were seen.
         sampled_conditions: Conditions that meet in the proof, where what was seen at
             some postures need not hold on other sheets, if there are any.
     """

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from screwkit.case import load_text
+from pathlib import Path
+
+from screwkit.case import load, load_text
 from screwkit.certificates.checking import check
+from screwkit.certificates.findings import Findings
 from screwkit.certificates.records import (
     Case,
     Certificate,
@@ -11,8 +14,10 @@ from screwkit.certificates.records import (
     Node,
     Part,
     Reach,
+    Sheet,
     Source,
     Step,
+    Unsolved,
 )
 from screwkit.certificates.written import SCHEMA
 
@@ -42,8 +47,9 @@ def certificate(text: str, part: Part) -> Certificate:
     return Certificate(SCHEMA, "forged", "0", Source(text), (part,))
 
 
-def judged(text: str, part: Part, seed: int = 1) -> None:
-    check(certificate(text, part), load_text(text).mechanism, seed)
+def judged(text: str, part: Part, seed: int = 1) -> Findings:
+    (found,) = check(certificate(text, part), load_text(text).mechanism, seed)
+    return found
 
 
 def limb(*components: Locus, proof: Node | None = None) -> Part:
@@ -69,6 +75,41 @@ TWO_LENGTHS = three_joints(
     "[c, 0]",
     "[c + (a - b)*cos(q), (a - b)*sin(q)]",
 )
+# Four helical joints of equal pitch at 0, (x1, y1), (x2, y2), (x3, y3): two loops'
+# wrenches depend where all are in one plane, by three equations.
+HELICAL = Path(str(load("4H_equal_pitch").path)).read_text(encoding="utf-8")
+IN_PLANE = ("y1*x2 - y2*x1", "y1*x3 - y3*x1", "y2*x3 - y3*x2")
+
+
+def zero(symbol: str, node: Node) -> Sheet:
+    return Sheet(Step("symbol", symbol=symbol, value="0", over="1"), node)
+
+
+def solved(number: int, condition: int, *cases: Sheet) -> Node:
+    """A condition that is a product of symbols, each of which is 0."""
+    return Node(
+        number,
+        condition=condition,
+        over={},
+        cases=tuple(Case((own.step.symbol,), 1, sheets=(own,)) for own in cases),
+    )
+
+
+def helical(*equations: str, cover: Node | None) -> Part:
+    """Its constraint singularities, by some of the three equations."""
+    one, two, _ = IN_PLANE
+    reach = Reach((), (Unsolved(two, symbol="x3"), Unsolved(one, symbol="x2")))
+    locus = Locus(equations, 2, 2, (reach,), cover)
+    return Part("constraint", "L0", (), 3, (locus,))
+
+
+def met_in_turn(*cases: Case) -> Node:
+    """The first two equations, linear in x2 and x3, with what follows elsewhere."""
+    one, two, _ = IN_PLANE
+    roots = Unsolved(one, symbol="x2"), Unsolved(two, symbol="x3")
+    return Node(0, sheet=True, roots=roots, cases=cases)
+
+
 IN_LINE = Locus(
     ("sin(q)",), 2, -1, (Reach((turned("0", "1"),)), Reach((turned("0", "-1"),)))
 )

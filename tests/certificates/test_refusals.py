@@ -7,14 +7,21 @@ from dataclasses import replace
 
 import pytest
 from certificates.forged import (
+    HELICAL,
+    IN_PLANE,
     POSITIVE,
     TWO_LENGTHS,
+    helical,
     judged,
     limb,
+    met_in_turn,
     minor,
+    solved,
     three_joints,
+    zero,
 )
 
+import screwkit
 from screwkit.case import load_text
 from screwkit.certificates.checking import _PartCheck
 from screwkit.certificates.general_claims import GeneralClaims
@@ -32,6 +39,7 @@ from screwkit.certificates.records import (
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.texts import RefusedError
+from screwkit.certificates.written import from_text
 
 
 def kept(text: str, node: Node) -> Case:
@@ -175,3 +183,89 @@ def test_where_a_length_vanishes_nothing_is() -> None:
 
 def part_check(mechanism: str) -> _PartCheck:
     return _PartCheck(load_text(mechanism).mechanism, limb(), random.Random(2))
+
+
+def sheet(number: int) -> Node:
+    return Node(number, sheet=True)
+
+
+# Where x2 and x3 are not determined: y1 = y2·x1 = 0, and y1 = y3·x1 = 0.  At
+# x1 = y1 = 0 two equations say no more, and the other three points are anywhere.
+FIRST = Case(
+    ("y1", "-y2*x1"),
+    1,
+    kept=solved(
+        1,
+        -2,
+        zero("y1", solved(2, 0, zero("x1", sheet(3)), zero("y2", sheet(4)))),
+    ),
+)
+SECOND = Case(
+    ("y1", "-y3*x1"),
+    1,
+    kept=solved(
+        5,
+        -2,
+        zero("y1", solved(6, 1, zero("x1", sheet(7)), zero("y3", sheet(8)))),
+    ),
+)
+
+
+def with_condition(case: Case, number: int) -> Case:
+    """Its first condition has this number on the way."""
+    assert case.kept is not None
+    return replace(case, kept=replace(case.kept, condition=number))
+
+
+def test_a_component_without_one_of_its_equations_is_refused() -> None:
+    """Two of three 2×2 minors of a 2×3 matrix vanish where a column does, too."""
+    cover = met_in_turn(with_condition(FIRST, 2), with_condition(SECOND, 2))
+    with pytest.raises(RefusedError, match="as in general"):
+        judged(HELICAL, helical(*IN_PLANE[:2], cover=cover))
+
+
+def test_each_equation_of_a_true_component_is_needed() -> None:
+    """Of points in a plane: the list that is found, and what is left without one."""
+    found = screwkit.singularities(screwkit.load("4H_equal_pitch"), certificate=True)
+    part = from_text(str(found.certificate)).parts[2]
+    (locus,) = part.components
+    assert len(locus.equations) == len(IN_PLANE)
+    assert not judged(HELICAL, part).sampled_components
+    for equation in locus.equations:
+        left = tuple(own for own in locus.equations if own != equation)
+        forged = replace(locus, equations=left)
+        with pytest.raises(RefusedError):
+            judged(HELICAL, replace(part, components=(forged,), proof=None))
+
+
+@pytest.mark.parametrize("left_out", range(3))
+def test_equations_that_meet_unseen_are_refuted_or_not_certified(left_out: int) -> None:
+    equations = [own for k, own in enumerate(IN_PLANE) if k != left_out]
+    for cover in (None, sheet(0)):
+        with pytest.raises(RefusedError, match="as in general"):
+            judged(HELICAL, helical(*equations, cover=cover))
+        found = judged(HELICAL, helical(*IN_PLANE, cover=cover))
+        assert found.sampled_components == (IN_PLANE,)
+
+
+def test_no_case_of_conditions_met_in_turn_is_left_out() -> None:
+    """Nor ended by another coefficient, an unknown of both, or for its dimensions."""
+    first, second = with_condition(FIRST, 2), with_condition(SECOND, 2)
+    honest = met_in_turn(first, second)
+    never = Case(("p",), 1, end="positive")
+    one, two = honest.roots
+    small = replace(first, kept=Node(1, small=True))
+    for forged, why in (
+        (met_in_turn(first), "cases of their own"),
+        (met_in_turn(never, second), "other coefficients"),
+        (met_in_turn(replace(first, equations=()), second), "other coefficients"),
+        (replace(honest, roots=(one, one)), "cases of their own"),
+        (replace(honest, roots=(replace(one, symbol="y1"), two)), "coefficients"),
+        (replace(honest, roots=(one, replace(two, symbol="x1"))), "does not lack"),
+        (replace(honest, roots=(replace(one, equation="x2"), two)), "its conditions"),
+        (met_in_turn(small, second), "may be a sheet"),
+    ):
+        with pytest.raises(RefusedError, match=why):
+            judged(HELICAL, helical(*IN_PLANE[:2], cover=forged))
+    with pytest.raises(RefusedError, match="nothing about a proof"):
+        judged(TWO_LENGTHS, limb(proof=Node(0, small=True)))
