@@ -1,9 +1,10 @@
 """Angles that numbers fix: a·sin φ + b·cos φ + c = 0 with numbers a, b and c.
 
 The sine is a combination of the cosine, or the other way round, and that one satisfies
-a quadratic over the numbers.  It must be irreducible there: both its roots are then
-alike, and one branch speaks of both.  Rational numbers are compared as they are, others
-in balls; that a number of a field is no square is shown by a prime at which it is none.
+a quadratic over the numbers.  Where it is irreducible there, both its roots are alike,
+and one branch speaks of both; where they are in the field they are two sheets, as of
+cos φ + sin φ = 0 beside √2.  Rational numbers are compared as they are, others in
+balls; that a number of a field is no square is shown by a prime at which it is none.
 
 References: [CoxLittleOShea] §4.6; [Washington1997] §2.
 """
@@ -13,11 +14,16 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import reduce
+from itertools import product
+from math import prod
 
 from flint import fmpq, fmpq_mat
 
+from screwkit.algebra.over_roots import square_roots
 from screwkit.algebra.points import branch_primes, random_point, residue
 from screwkit.algebra.substitution import Substitution, angle_parts
+from screwkit.algebra.survey import rational_root
 from screwkit.algebra.trigonometric import (
     Polynomial,
     TrigonometricRing,
@@ -30,9 +36,9 @@ _PRIMES = 24  # tried for one at which a number is no square
 def constant_angle_steps(
     ring: TrigonometricRing, condition: Polynomial
 ) -> list[Substitution] | None:
-    """The substitution where an angle is fixed by numbers; empty where it is not real.
+    """Substitutions where an angle is fixed by numbers; empty where it is not real.
 
-    None where the condition is of another kind, or both roots are in the field.
+    None where the condition is of another kind, or its roots are not told.
     """
     for angle in range(len(ring.basis)):
         parts = angle_parts(ring, condition, angle)
@@ -54,9 +60,47 @@ def _by_rationals(
     u, v = (-b / a, -c / a) if a else (Fraction(0), -c / b)
     lead = as_fraction(ring.one) + u * u
     over = ring.rational(1 / lead)
+    # x = (−u·v ± √(1 + u² − v²))/(1 + u²)
+    root = root_of_rational(ring, lead - v * v)
+    if root is not None and root != 0:
+        line = ring.rational(u), ring.rational(v)
+        middle = ring.rational(u * v)
+        roots = (ring.normal((s * root - middle) * over) for s in (1, -1))
+        return [_sheet(ring, angle, x, line, in_sine=not a) for x in roots]
     return [
         _step(ring, angle, (ring.rational(u), ring.rational(v)), over, in_sine=not a)
     ]
+
+
+def root_of_rational(ring: TrigonometricRing, number: Fraction) -> Polynomial | None:
+    """The positive root of a positive number that the square roots of a ring give."""
+    squares = square_roots(ring)
+    for taken in product((False, True), repeat=len(squares)):
+        chosen = [root for root, t in zip(squares, taken, strict=True) if t]
+        size = prod(root.square for root in chosen)
+        rational = rational_root(number / size)
+        if rational is not None:
+            gens = ring.context.gens()
+            start = ring.rational(rational)
+            return reduce(lambda value, r: value * gens[r.place], chosen, start)
+    return None
+
+
+def _sheet(
+    ring: TrigonometricRing,
+    angle: int,
+    x: Polynomial,
+    line: tuple[Polynomial, Polynomial],
+    *,
+    in_sine: bool,
+) -> Substitution:
+    """The sheet x of the cosine, or of the sine; see `_step`."""
+    sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)
+    places = (sine, cosine) if in_sine else (cosine, sine)
+    values = dict(zip(places, (x, ring.normal(x * line[0] + line[1])), strict=True))
+    along = ring.cosines[angle] * values[cosine] + ring.sines[angle] * values[sine]
+    images = (sine, values[sine]), (cosine, values[cosine])
+    return Substitution(images, ring.one, sheet=ring.normal(along - 1))
 
 
 def _by_numbers(

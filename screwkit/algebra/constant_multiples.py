@@ -79,13 +79,13 @@ def sign(ring: TrigonometricRing, number: Polynomial) -> int:
     bits = 64
     while True:
         with ctx.workprec(bits):
-            ball = _ball(ring, number)
-            if ball > 0 or ball < 0:
-                return 1 if ball > 0 else -1
+            value = ball(ring, number)
+            if value > 0 or value < 0:
+                return 1 if value > 0 else -1
         bits *= 2
 
 
-def _ball(ring: TrigonometricRing, number: Polynomial) -> arb:
+def ball(ring: TrigonometricRing, number: Polynomial) -> arb:
     """A number of the field at the working precision."""
     values = {}
     for name, written in ring.constant_generators.items():

@@ -17,7 +17,12 @@ from typing import TypeAlias
 from flint import Ordering, fmpq_mpoly_ctx
 from flint.utils.flint_exceptions import DomainError
 
-from screwkit.algebra.over_roots import Root, factors_over_roots
+from screwkit.algebra.over_roots import (
+    Root,
+    factors_over_roots,
+    monic,
+    square_roots,
+)
 from screwkit.algebra.restrictions import Layout, Variable, coefficients
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
@@ -63,6 +68,7 @@ class HalfAngles:
         self._one = self._context.constant(1)
         self._pairs = [(gens[s], gens[c]) for s, c in layout.angles]
         self._tangents = gens[self._size :]
+        self._roots = square_roots(ring)
 
     def degrees(self, polynomial: Polynomial) -> dict[int, int]:
         """The degree in sine and cosine together of every angle that occurs."""
@@ -223,20 +229,29 @@ class HalfAngles:
 
     def paired(self, parts: Sequence[tuple[Form, int]]) -> list[tuple[Form, int]]:
         """Odd factors times their images under q → q + π, where all of them divide."""
-        count = {form.key: multiplicity for form, multiplicity in parts}
-        result = []
+        members: dict[Key, Form] = {}
+        keys: list[Key] = []
         for form, _ in parts:
+            key = self._monic(form).key
+            # Of two multiples of one form the second stays what it is.
+            keys.append(form.key if members.get(key, form).key != form.key else key)
+            members[keys[-1]] = form
+        count = {k: m for k, (_, m) in zip(keys, parts, strict=True)}
+        result = []
+        for key in keys:
+            form = members[key]
             if form.odd:
                 orbit = self._orbit(form)
                 shared = min(count.get(key, 0) for key in orbit)
                 if shared and len(orbit) > 1:
-                    for key in orbit:
-                        count[key] -= shared
-                    result.append((self.product(orbit.values()), shared))
+                    for image in orbit:
+                        count[image] -= shared
+                    whole = self.product(members[image] for image in orbit)
+                    result.append((whole, shared))
             else:
-                result.append((form, count.pop(form.key)))
-        result += [(f, count[f.key]) for f, _ in parts if f.odd and count[f.key]]
-        return result
+                result.append((form, count.pop(key)))
+        left = ((members[k], count[k]) for k in keys if members[k].odd)
+        return [*result, *((form, m) for form, m in left if m)]
 
     def product(self, forms: Iterable[Form]) -> Form:
         """The product of forms."""
@@ -274,10 +289,12 @@ class HalfAngles:
         return a, b
 
     def _orbit(self, form: Form) -> dict[Key, Form]:
+        """By what they have in common with their multiples by numbers."""
+        form = self._monic(form)
         orbit: dict[Key, Form] = {form.key: form}
         for i in form.odd:
             for known in list(orbit.values()):
-                image = self._turned(known, i)
+                image = self._monic(self._turned(known, i))
                 orbit.setdefault(image.key, image)
         return orbit
 
@@ -290,6 +307,14 @@ class HalfAngles:
             moved = (*exponents[:place], degree - k, *exponents[place + 1 :])
             terms[moved] = -coefficient if (degree - k) % 2 else coefficient
         return Form(primitive(self._context.from_dict(terms)), form.degrees)
+
+    def _monic(self, form: Form) -> Form:
+        """The multiple of a form by a number that equal ones have in common."""
+        degrees = form.polynomial.degrees()
+        if not any(degrees[root.place] for root in self._roots):
+            return form
+        scaled = monic(form.polynomial, self._names, self._roots)
+        return form if scaled is None else Form(primitive(scaled), form.degrees)
 
     def _slices(
         self, polynomial: Polynomial, places: Sequence[int]

@@ -88,26 +88,21 @@ def quotient_number(
     """
     names = [str(generator) for generator in value.context().gens()]
     field = _Field(value.context(), names, roots)
-    places = {root.place for root in roots}
-
-    def free(monomial: Sequence[int]) -> tuple[int, ...]:
-        return tuple(0 if i in places else int(e) for i, e in enumerate(monomial))
-
-    lead = max(free(monomial) for monomial in value.monoms())
-    above, below = (
-        p.context().from_dict(
-            {
-                tuple(int(e) if i in places else 0 for i, e in enumerate(key)): c
-                for key, c in p.to_dict().items()
-                if free(key) == lead
-            }
-        )
-        for p in (value, divisor)
-    )
+    lead = max(map(field.free, value.monoms()))
+    above, below = (field.coefficient(p, lead) for p in (value, divisor))
     number = field.quotient(above, below)
     if number is None or number.is_constant():
         return None
     return primitive(number)
+
+
+def monic(
+    polynomial: Polynomial, names: Sequence[str], roots: Sequence[Root]
+) -> Polynomial | None:
+    """The multiple by a number whose leading coefficient is one."""
+    field = _Field(polynomial.context(), names, roots)
+    lead = max(map(field.free, polynomial.monoms()))
+    return field.quotient(polynomial, field.coefficient(polynomial, lead))
 
 
 def _factors(
@@ -168,6 +163,22 @@ class _Field:
         for relation in self._relations:
             value = divmod(value, relation)[1]
         return value
+
+    def free(self, monomial: Sequence[int]) -> tuple[int, ...]:
+        """A monomial without the roots."""
+        places = {root.place for root in self.roots}
+        return tuple(0 if i in places else int(e) for i, e in enumerate(monomial))
+
+    def coefficient(self, value: Polynomial, free: tuple[int, ...]) -> Polynomial:
+        """The number that stands at a monomial without roots."""
+        places = {root.place for root in self.roots}
+        return self._context.from_dict(
+            {
+                tuple(int(e) if i in places else 0 for i, e in enumerate(key)): c
+                for key, c in value.to_dict().items()
+                if self.free(key) == free
+            }
+        )
 
     def shifted(self, value: Polynomial, variable: int, count: int) -> Polynomial:
         """With a multiple of the sum of all roots added to a variable."""

@@ -8,14 +8,16 @@ it is defined and real.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from screwkit.algebra.angles import Merged, merged, natural
 from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.constant_multiples import inverse, is_number
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.half_angle import Form, HalfAngles
+from screwkit.algebra.known_angles import turns_of_direction
 from screwkit.algebra.polynomial_text import merged_text
 from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.solved_text import (
@@ -206,6 +208,9 @@ def _general(
     Nothing where d is too long to be written.
     """
     inside = ring.normal(a * a + b * b - e * e)
+    known = _known(ring, (a, b, e), inside)
+    if known:
+        return known
     if 4 * (len(inside) - 1) > LONGEST_TEXT:
         return []
     ae, be = ring.normal(-a * e), ring.normal(-b * e)
@@ -219,6 +224,26 @@ def _general(
         cosine = _plus_root(ring, short, be, sign * a, root)
         branches.append(AngleValue(f"atan2({sine}, {cosine})"))
     return branches
+
+
+def _known(
+    ring: TrigonometricRing, coefficients: Sequence[Polynomial], inside: Polynomial
+) -> list[AngleValue]:
+    """The branches of `_general` where numbers give them as multiples of π, or none."""
+    a, b, e = coefficients
+    root = root_of_square(inside) if inside != 0 else inside
+    if root is None or not all(is_number(ring, v) for v in (a, b, e, root)):
+        return []
+    over = inverse(ring, ring.normal(a * a + b * b))
+    found = []
+    for sign in (1, -1) if root != 0 else (1,):
+        cosine = ring.normal((sign * a * root - b * e) * over)
+        sine = ring.normal((-sign * b * root - a * e) * over)
+        turns = turns_of_direction(ring, cosine, sine)
+        if turns is None:
+            return []
+        found.append(AngleValue(half_turns=turns))
+    return found
 
 
 def _plus_root(

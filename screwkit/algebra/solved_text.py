@@ -8,6 +8,9 @@ from fractions import Fraction
 
 from screwkit.algebra.angles import Form, Merged
 from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.constant_multiples import inverse as inverse_number
+from screwkit.algebra.constant_multiples import is_number
+from screwkit.algebra.known_angles import turns_of_cosine, turns_of_tangent
 from screwkit.algebra.polynomial_text import angle_text, merged_text
 from screwkit.algebra.trigonometric import (
     Polynomial,
@@ -72,6 +75,12 @@ class Quotient:
         """Whether it is rational."""
         return bool(self.numerator.is_constant() and self.denominator.is_constant())
 
+    @property
+    def number(self) -> Polynomial:
+        """Its value in the field of the ring's numbers, where it is one."""
+        below = inverse_number(self.ring, self.denominator)
+        return self.ring.normal(self.numerator * below)
+
     def sign(self, assumptions: Assumptions) -> int | None:
         """1, 0 or −1 where that is certain."""
         above = assumptions.sign_of(self.ring, self.numerator)
@@ -105,6 +114,15 @@ class AngleValue:
                 turns = known
                 if ratio < 0:
                     turns = 1 - known if function == "acos" else -known
+                return cls(half_turns=times * turns)
+        elif is_number(argument.ring, argument.numerator * argument.denominator):
+            value = argument.number
+            if function == "atan":
+                told = turns_of_tangent(argument.ring, value)
+            else:
+                told = turns_of_cosine(argument.ring, value)
+            if told is not None:
+                turns = _HALF - told if function == "asin" else told
                 return cls(half_turns=times * turns)
         multiple = "" if times == 1 else f"{times}*"
         return cls(f"{multiple}{function}({argument.text})")

@@ -148,7 +148,10 @@ class _Scheme:
             searched = [*moving, *deeper]
             if any(not _is_decided(branch, searched) for branch in left):
                 reasons.setdefault("an idle piece was not searched to the end")
-        return _Found(tuple(pieces), "; ".join(reasons))
+        # A later piece inside an idle one may contain an earlier one.
+        found = without_contained(moving)
+        found += [p for p in pieces if not any(p is known for known in moving)]
+        return _Found(tuple(found), "; ".join(reasons))
 
     def exactly(self, pieces: Sequence[Piece]) -> ExactPieces:
         """Equations at whose zeros the platform moves, or more joints than in general.

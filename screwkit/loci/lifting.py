@@ -2,21 +2,23 @@
 
 On cos(q6 − q1) = 0 the sine is ±1, and a later condition comes out once with each sign.
 Putting the sine back where the sign stood gives one equation that is right on both
-sheets; it is done only where every sheet is there, so that nothing is added.
+sheets; it is done only where every sheet is there, so that nothing is added.  Of
+cos q1 + sin q1 = 0 the cosine is ±√2/2, and √2·cos q1 takes the place of the sign.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import combinations
 from typing import Any
 
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.constant_multiples import inverse, is_number, sign
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 from screwkit.loci.pieces import Piece
 
 _FACTORS = 3  # signs that may multiply one term
-_Signs = dict[int, int]  # generator whose value is ±1 on the sheet, and the value
+_Signs = dict[int, int]  # generator whose value is ±v on the sheet, and the sign
 
 
 def with_sheets_together(pieces: Sequence[Piece]) -> list[Piece]:
@@ -46,6 +48,9 @@ def _together(group: Sequence[Piece]) -> Piece | None:
     generators = set(signs[0])
     if not generators or any(set(s) != generators for s in signs):
         return None
+    sizes = [_sizes(ring, branch) for branch in branches]
+    if any(size != sizes[0] for size in sizes):
+        return None
     present = {tuple(sorted(s.items())) for s in signs}
     if len(present) != 2 ** len(generators) or len(present) != len(branches):
         return None
@@ -54,7 +59,7 @@ def _together(group: Sequence[Piece]) -> Piece | None:
         return None
     equations = []
     for versions in aligned:
-        equation = _lifted(ring, versions, signs)
+        equation = _lifted(ring, versions, signs, sizes[0])
         if equation is None:
             return None
         equations.append(equation)
@@ -62,15 +67,31 @@ def _together(group: Sequence[Piece]) -> Piece | None:
 
 
 def _signs(ring: TrigonometricRing, branch: Branch) -> _Signs:
-    """Sines and cosines that are ±1 on the branch because of a solved condition."""
+    """Of a cosine, or a sine, that is a number because of each solved condition."""
     found: _Signs = {}
     for step in branch.steps:
         if step.sheet is None:
             continue
-        for index, image in step.images:
-            if image.is_constant() and image * image == 1:
-                found[index] = 1 if image == 1 else -1
+        numbers = [
+            (index, image)
+            for index, image in step.images
+            if image != 0 and is_number(ring, image)
+        ]
+        if numbers:
+            index, image = numbers[-1]
+            found[index] = sign(ring, image)
     return found
+
+
+def _sizes(ring: TrigonometricRing, branch: Branch) -> dict[int, Polynomial]:
+    """The number of which a generator is plus or minus one on each sheet."""
+    signs = _signs(ring, branch)
+    return {
+        index: image * signs[index]
+        for step in branch.steps
+        for index, image in step.images
+        if index in signs
+    }
 
 
 def _aligned(branches: Sequence[Branch]) -> list[list[Polynomial]] | None:
@@ -91,7 +112,10 @@ def _aligned(branches: Sequence[Branch]) -> list[list[Polynomial]] | None:
 
 
 def _lifted(
-    ring: TrigonometricRing, versions: Sequence[Polynomial], signs: Sequence[_Signs]
+    ring: TrigonometricRing,
+    versions: Sequence[Polynomial],
+    signs: Sequence[_Signs],
+    sizes: Mapping[int, Polynomial],
 ) -> Polynomial | None:
     """One polynomial that is each version, up to a constant, on its own sheet."""
     tables = [primitive(version).to_dict() for version in versions]
@@ -109,7 +133,7 @@ def _lifted(
         term = ring.context.from_dict({monomial: ratios[0]})
         value = 1
         for index in chosen:
-            term = term * gens[index]
+            term = term * gens[index] * inverse(ring, sizes[index])
             value *= signs[0][index]
         total = total + term * value
     return primitive(ring.normal(total))

@@ -99,36 +99,74 @@ def _gathered(group: Sequence[Branch]) -> list[Piece]:
 
 def _opposites(group: Sequence[Branch]) -> set[tuple[str, str]]:
     """The two sheets of each solved condition."""
-    found = set()
+    sheets: dict[str, set[str]] = {}
     for branch in group:
-        for sheet in branch.sheets:
-            other = str(-sheet - 2)
-            found.add(min((str(sheet), other), (other, str(sheet))))
-    return found
+        for step in branch.steps:
+            if step.sheet is not None:
+                sheets.setdefault(str(step.condition), set()).add(str(step.sheet))
+    pairs = (sorted(both) for both in sheets.values() if len(both) == 2)
+    return {(first, second) for first, second in pairs}
 
 
 def without_contained(pieces: Sequence[Piece], *, surely: bool = False) -> list[Piece]:
-    """The pieces that lie in no other one; with ``surely`` in none that is exact."""
-    ordered = sorted(pieces, key=lambda piece: piece.codimension)
+    """The pieces that lie in no other one; with ``surely`` in none that is exact.
+
+    Of a piece some sheets of which do, the others stay.
+    """
     kept: list[Piece] = []
-    for piece in ordered:
-        larger = [other for other in kept if other.is_exact or not surely]
-        if not any(_is_part(piece, other) for other in larger):
-            kept.append(piece)
+
+    def trusted(found: Sequence[Piece]) -> list[Piece]:
+        return [piece for piece in found if piece.is_exact or not surely]
+
+    for piece in sorted(pieces, key=lambda piece: piece.codimension):
+        if not _outside(piece, trusted(kept)):
+            continue
+        # Of one size the part may come before the whole.
+        size, whole = piece.codimension, trusted([piece])
+        kept = [
+            left
+            for known in kept
+            for left in (
+                _outside(known, whole) if known.codimension == size else [known]
+            )
+        ]
+        kept += _outside(piece, trusted(kept))
     return kept
 
 
-def _is_part(piece: Piece, other: Piece) -> bool:
-    """Whether a piece lies in another that is no smaller.
+def _outside(piece: Piece, others: Sequence[Piece]) -> list[Piece]:
+    """What is left of a piece without the sheets that lie in others."""
+    left = [b for b in piece.branches if not any(_is_part(b, piece, o) for o in others)]
+    if len(left) == len(piece.branches):
+        return [piece]
+    as_given = piece.texts == set().union(
+        *(part.texts for part in _gathered(piece.branches))
+    )
+    known = () if as_given else piece.equations
+    return [
+        replace(
+            part,
+            equations=(
+                *known,
+                *(e for e in part.equations if as_given or str(e) not in piece.texts),
+            ),
+        )
+        for part in _gathered(left)
+    ]
 
-    Equations of a piece may hold on further sets of its size; of two pieces of one size
-    the one is in the other only if sheets of that are in it.
+
+def _is_part(branch: Branch, piece: Piece, other: Piece) -> bool:
+    """Whether a sheet of a piece lies in another piece that is no smaller.
+
+    Equations of a piece may hold on further sets of its size, unless they are exact; of
+    two pieces of one size the one is in the other then only if sheets of that are in
+    it.
     """
-    if not lies_in(piece.branches[0], other):
+    if not lies_in(branch, other):
         return False
-    if piece.codimension > other.codimension:
+    if piece.codimension > other.codimension or other.is_exact:
         return True
-    return any(lies_in(branch, piece) for branch in other.branches)
+    return any(lies_in(sheet, piece) for sheet in other.branches)
 
 
 def told_apart(pieces: Sequence[Piece], known: Sequence[Polynomial]) -> list[Piece]:

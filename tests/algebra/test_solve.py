@@ -24,7 +24,7 @@ from screwkit.algebra.parse import parse
 from screwkit.algebra.polynomial_text import to_expression
 from screwkit.algebra.solve import Solved, solutions
 from screwkit.algebra.survey import SurveyRing
-from screwkit.algebra.trigonometric import TrigonometricRing
+from screwkit.algebra.trigonometric import TrigonometricRing, primitive
 
 POSITIVE = Assumptions(frozenset({"r1", "r3", "d3"}))
 
@@ -65,6 +65,9 @@ def only(text: str) -> dict[str, tuple[tuple[str, ...], str]]:
         ),
         ("2*sin(q1) + 1", "q1", ("-pi/6", "-5*pi/6"), "2*pi"),
         ("1 + cos(q4)", "q4", ("pi",), "2*pi"),
+        ("sqrt(3)*cos(q1) + sin(q1)", "q1", ("-pi/3", "2*pi/3"), "pi"),
+        ("sin(q1) - sqrt(3)*cos(q1) - 2", "q1", ("5*pi/6",), "2*pi"),
+        ("cos(q6 - q1) - cos(pi/5)", "q6", ("q1 + pi/5", "q1 - pi/5"), "2*pi"),
         (
             "(d3^2 - r3^2)*sin(q2 - q7) + 2*d3*r3*cos(q2 - q7)",
             "q2",
@@ -94,6 +97,26 @@ def test_a_half_angle_pair_has_one_branch() -> None:
         ("q4", ("0",)),
         ("q4", ("2*atan(d3/a4)",)),
     ]
+
+
+@pytest.mark.parametrize("k", range(-11, 13))
+def test_an_equation_of_one_known_angle_gives_that_angle(k: int) -> None:
+    """cos(φ − φ₀) = 1 written out, and cos(φ − φ₀) = 0."""
+    along = f"cos({k}*pi/12)*cos(q) + sin({k}*pi/12)*sin(q)"
+    for text, turns in ((f"2*({along}) - 2", [0]), (along, [6, -6])):
+        survey = SurveyRing()
+        evaluate(parse(text), survey)
+        ring = TrigonometricRing(survey)
+        equation = primitive(ring.normal(evaluate(parse(text), ring)))
+        (found,) = solutions(ring, Factor(text, (equation,)), POSITIVE)
+        assert not any("a" in value for value in found.values)  # atan2, acos, ...
+        read = [number(parse(value), {}) for value in found.values]
+        wanted = [math.remainder((k + t) * math.pi / 12, 2 * math.pi) for t in turns]
+        assert all(
+            min(abs(math.remainder(r - w, 2 * math.pi)) for w in wanted) < 1e-12
+            for r in read
+        )
+        assert len(read) == len(wanted)
 
 
 def test_a_cubic_is_not_solved_for_its_variable() -> None:

@@ -1,0 +1,163 @@
+"""Pieces that lie in others are left out, sheet by sheet."""
+
+from __future__ import annotations
+
+import pytest
+
+from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.elimination import steps_of
+from screwkit.algebra.evaluation import evaluate
+from screwkit.algebra.factor_library import FactorLibrary
+from screwkit.algebra.factors import factor
+from screwkit.algebra.parse import parse
+from screwkit.algebra.polynomial_text import equation_text
+from screwkit.algebra.search import Search
+from screwkit.algebra.survey import SurveyRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.case import load_text
+from screwkit.loci.pieces import Piece, pieces_of, without_contained
+from screwkit.questions import singularities
+
+
+def pieces_where(*systems: list[str]) -> list[list[Piece]]:
+    parsed = [[parse(text) for text in system] for system in systems]
+    survey = SurveyRing()
+    for system in parsed:
+        for expression in system:
+            evaluate(expression, survey)
+    ring = TrigonometricRing(survey)
+    root, library = Branch(ring, Assumptions(frozenset())), FactorLibrary(ring)
+    found = []
+    for system in parsed:
+        equations = [ring.normal(evaluate(one, ring)) for one in system]
+        zeros = common_zeros(root, equations, Search(library))
+        assert zeros.complete
+        found.append(pieces_of(zeros.branches))
+    return found
+
+
+def in_ring_of(text: str, number: str) -> tuple[TrigonometricRing, Polynomial]:
+    """A polynomial in a ring that contains a number beside it."""
+    survey = SurveyRing()
+    for one in (text, number):
+        evaluate(parse(one), survey)
+    ring = TrigonometricRing(survey)
+    return ring, ring.normal(evaluate(parse(text), ring))
+
+
+def texts(pieces: list[Piece]) -> set[tuple[str, ...]]:
+    return {
+        tuple(equation_text(p.branches[0].ring, e) for e in p.equations) for p in pieces
+    }
+
+
+WHOLE = ("cos(q) + sin(q)", "x - y")
+
+
+@pytest.mark.parametrize(
+    ("systems", "wanted"),
+    [
+        # −π/4 and 3·π/4 are told apart by √2: one of them, of the same codimension.
+        ([[*WHOLE], ["sqrt(2)*cos(q) - 1", "sqrt(2)*sin(q) + 1", "x - y"]], {WHOLE}),
+        ([[*WHOLE], ["sqrt(2)*cos(q) + 1", "sqrt(2)*sin(q) - 1", "x - y"]], {WHOLE}),
+        # One of two sheets lies inside, whichever it is; the other one stays.
+        ([["cos(q) - 1"], ["sin(q)", "y"]], {("cos(q) - 1",), ("cos(q) + 1", "y")}),
+        ([["cos(q) + 1"], ["sin(q)", "y"]], {("cos(q) + 1",), ("cos(q) - 1", "y")}),
+        # Each sheet in another piece.
+        (
+            [["cos(q) + 1"], ["cos(q) - 1"], ["sin(q)", "y"]],
+            {("cos(q) + 1",), ("cos(q) - 1",)},
+        ),
+        ([["cos(q) - 1", "z"], ["sin(q)", "z"]], {("sin(q)", "z")}),
+    ],
+)
+def test_no_sheet_is_listed_twice_and_none_is_lost(
+    systems: list[list[str]], wanted: set[tuple[str, ...]]
+) -> None:
+    groups = pieces_where(*systems)
+    for ordered in (groups, groups[::-1]):
+        kept = without_contained([piece for group in ordered for piece in group])
+        assert texts(kept) == wanted
+
+
+@pytest.mark.parametrize(
+    ("condition", "root"),
+    [("cos(q) + sin(q)", 2), ("2*cos(q) - 1", 3), ("3*sin(q) + cos(q) - 2", 6)],
+)
+def test_roots_of_the_ring_tell_sheets_apart(condition: str, root: int) -> None:
+    """An angle that they give has sheets; elsewhere one branch speaks of both."""
+    ring, equation = in_ring_of(condition, f"sqrt({root})")
+    steps = steps_of(ring, Assumptions(frozenset()), equation)
+    assert steps is not None
+    assert len(steps) == 2
+    (one, two) = (dict(step.images) for step in steps)
+    assert one != two
+    for step, other in (steps, steps[::-1]):
+        gens = list(ring.context.gens())
+        for place, image in step.images:
+            gens[place] = image
+        assert ring.normal(equation.compose(*gens)) == 0
+        circle = sum(image**2 for _, image in step.images)
+        assert ring.normal(circle) == 1
+        own, opposite = step.sheet, other.sheet
+        assert own is not None
+        assert opposite is not None
+        assert ring.normal(own.compose(*gens)) == 0
+        assert ring.normal(opposite.compose(*gens)) != 0
+    ring, equation = in_ring_of(condition, "sqrt(7)")
+    both = steps_of(ring, Assumptions(frozenset()), equation)
+    assert both is not None
+    assert [step.sheet for step in both] == [None]
+
+
+def test_half_angles_that_differ_by_a_half_turn_are_one_condition() -> None:
+    """2·sin q·cos q − 1 = −(cos q − sin q)²; √2 makes t² + 2·t − 1 split."""
+    ring, product = in_ring_of("2*sin(q)*cos(q) - 1", "sqrt(2)")
+    ((part, multiplicity),) = factor(ring, product).factors
+    assert multiplicity == 2
+    assert equation_text(ring, part.polynomial) == "cos(q) - sin(q)"
+
+
+MECHANISM = """
+screwkit: 1
+name: two_arms
+title: Two arms whose first offset is an eighth of a turn
+geometry: mdh
+base: ground
+platform: load
+links: [ground, L00, L01, L10, L11, L12, load]
+parameters:
+  a: {value: "0.7", positive: true}
+  b: {value: "0.7", positive: true}
+  d: {value: "0.3", positive: true}
+joints:
+  - {name: A1, type: revolute, parent: ground, child: L00, mdh: {alpha: "0", d: "1/2"}}
+  - {name: A2, type: prismatic, parent: L00, child: L01,
+     mdh: {alpha: pi/2, d: b, r: a}}
+  - {name: hold0, type: fixed, parent: L01, child: load}
+  - {name: B1, type: revolute, parent: ground, child: L10,
+     mdh: {alpha: -pi/2, r: "1"}, offset: pi/4}
+  - {name: B2, type: revolute, parent: L10, child: L11, mdh: {alpha: -pi/2, d: d}}
+  - {name: B3, type: revolute, parent: L11, child: L12, mdh: {alpha: pi/2}}
+  - {name: hold1, type: fixed, parent: L12, child: load}
+"""
+
+
+def test_an_offset_of_an_eighth_of_a_turn_changes_no_list() -> None:
+    """The same components as without it, turned: q becomes q + π/4."""
+    turned = singularities(load_text(MECHANISM)).constraint
+    plain = singularities(load_text(MECHANISM.replace(", offset: pi/4", ""))).constraint
+    assert turned.complete
+    assert plain.complete
+    first = [c.equations[0] for c in turned.components]
+    assert sorted(first) == ["cos(qB1) + sin(qB1)", "cos(qB1) - sin(qB1)", "cos(qB2)"]
+    assert sorted(c.equations[0] for c in plain.components) == [
+        "cos(qB1)",
+        "cos(qB2)",
+        "sin(qB1)",
+    ]
+    (meeting,) = [c for c in turned.components if "+" in c.equations[0]]
+    assert meeting.solved[0] is not None
+    assert set(meeting.solved[0].values) == {"-pi/4", "3*pi/4"}
