@@ -31,6 +31,7 @@ from screwkit.certificates.roots import NotProvedError, roots_of
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.steps import (
     followed,
+    is_in_numbers,
     numbers_of,
     subtracted,
 )
@@ -299,7 +300,11 @@ class Conditions:
             return half_angle_steps(
                 branch.ring, branch.assumptions, condition, companions
             )
-        return steps_of(branch.ring, branch.assumptions, condition)
+        steps = steps_of(branch.ring, branch.assumptions, condition)
+        if steps is None or (steps and all(s.relation is None for s in steps)):
+            return steps
+        # An angle in numbers: the checker knows rational ones alone.
+        return steps if is_in_numbers(branch.ring, condition) else None
 
     def options_of(self, place: Place, own: Factor) -> list[Option]:
         """The sheets of a factor on a node, or the factor as a condition."""

@@ -21,6 +21,7 @@ from screwkit.algebra.trigonometric import (
     as_fraction,
 )
 from screwkit.certificates.records import Step
+from screwkit.certificates.roots import NotProvedError
 
 
 def written_step(branch: Branch, number: int) -> Step:
@@ -62,7 +63,12 @@ def _never(branch: Branch, step: Substitution, image: Polynomial) -> tuple[Step,
     if branch.assumptions.is_nonzero(ring, step.divisor):
         return ()
     found = []
-    for inner in steps_of(ring, branch.assumptions, step.divisor) or ():
+    inside = steps_of(ring, branch.assumptions, step.divisor) or ()
+    if any(inner.relation is not None for inner in inside) and not is_in_numbers(
+        ring, step.divisor
+    ):
+        raise NotProvedError("an angle is fixed by irrational numbers")
+    for inner in inside:
         there = text(ring, substituted(ring, [image], inner)[0])
         if inner.relation is not None:
             angle, numbers = numbers_of(ring, step.divisor)
@@ -85,6 +91,15 @@ def numbers_of(
         if parts is not None and all(part.is_constant() for part in parts):
             return angle, tuple(str(as_fraction(part)) for part in parts)
     raise ValueError("the condition is no equation in numbers for one angle")
+
+
+def is_in_numbers(ring: TrigonometricRing, condition: Polynomial) -> bool:
+    """Whether a condition is one of a single angle in rational numbers."""
+    try:
+        numbers_of(ring, condition)
+    except ValueError:
+        return False
+    return True
 
 
 def followed(

@@ -7,6 +7,7 @@ all loop equations at once (`float_loops`).  The geometry is the directions of t
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache, cached_property
@@ -110,6 +111,7 @@ def on_equation(name: str, equation: str, seed: int) -> dict[str, float]:
 
 def _where(name: str, equations: tuple[str, ...], seed: int) -> dict[str, float]:
     free = variables(name)
+    equations = tuple(map(with_single_zeros, equations))
     for number in range(40):
         start = drawn(name, 1000 * seed + number)
 
@@ -121,6 +123,15 @@ def _where(name: str, equations: tuple[str, ...], seed: int) -> dict[str, float]
         if found is not None and np.max(np.abs(found)) < 20:
             return {**start, **dict(zip(free, map(float, found), strict=True))}
     raise AssertionError(f"no posture on {equations}")
+
+
+def with_single_zeros(equation: str) -> str:
+    """Of cos δ = ±1 with half of δ: a double zero is reached half as near."""
+    angle = re.fullmatch(r"-?cos\(([^()]*)\) ([+-]) 1", equation)
+    if angle is None:
+        return equation
+    half = "sin" if angle[2] == "-" else "cos"
+    return f"{half}(({angle[1]})/2)"
 
 
 def mobility(whole: At, locked: tuple[str, ...] = ()) -> int:
