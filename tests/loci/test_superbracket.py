@@ -210,7 +210,7 @@ def test_what_is_known_of_a_determinant_that_is_not_written() -> None:
 
 
 def test_wrenches_of_limbs_with_loops_inside_are_those_of_their_closed_loops() -> None:
-    """What the loops of an Orthoglide forbid is reciprocal to no joint alone: its rods."""
+    """What an Orthoglide's loops forbid is reciprocal to no joint alone: the rods."""
     case = sk.load("orthoglide")
     lines = six_lines(case.assembly, ["P1", "P2", "P3"])
     assert isinstance(lines, SixLines)
