@@ -81,10 +81,14 @@ class Branch:
 
     @property
     def codimension(self) -> int:
-        """Each condition was irreducible and not zero on the branch before it.
+        """Each condition was irreducible and not zero on the branch before it."""
+        return len(self.conditions)
 
-        One that could not be solved and that later ones imply is none any more: with
-        sin θ = 0 and z = 0, x·sin θ + z·cos θ = 0 says nothing.
+    @property
+    def independent(self) -> int:
+        """Its codimension without conditions that could not be solved and are implied.
+
+        With sin θ = 0 and z = 0, imposed later, x·sin θ + z·cos θ = 0 says nothing.
         """
         return len(self.steps) + len(self.pending)
 
