@@ -35,6 +35,7 @@ _TOGETHER = 40  # terms of the equations whose zeros are taken apart
 
 _BUDGET = 12  # case distinctions for the zeros of the other equations
 _PARTS = 8  # of these zeros
+_LARGER = 10  # times the coefficients may grow
 _TRIED = 12  # multiples of other equations that are subtracted
 
 
@@ -157,9 +158,16 @@ def _one_angle(root: Branch, one: Polynomial, two: Polynomial) -> Polynomial | N
 
 
 def _is_simpler(one: Polynomial, two: Polynomial, root: Branch) -> bool:
-    """Whether an equation is shorter than another and brings no new unknown in."""
+    """Whether an equation is shorter, with no new unknown and no long numbers."""
     fresh = set(unknowns(root.ring, one)) - set(unknowns(root.ring, two))
-    return not fresh and _length(root, one) < _length(root, two)
+    if fresh or _largest(one) > _LARGER * _largest(two):
+        return False
+    return _length(root, one) < _length(root, two)
+
+
+def _largest(equation: Polynomial) -> int:
+    """Of its coefficients, made coprime integers."""
+    return max(abs(int(c.p)) for c in primitive(equation).coeffs())
 
 
 def _length(root: Branch, equation: Polynomial) -> int:
