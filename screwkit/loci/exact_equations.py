@@ -21,7 +21,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.cases import possible_factors
 from screwkit.algebra.decomposition import common_zeros, other_parts
 from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.minors import minors_of
@@ -31,7 +30,7 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.errors import TooLargeError
 from screwkit.loci.pieces import Piece
-from screwkit.loci.shorter_equations import with_shorter_equations
+from screwkit.loci.shorter_equations import vanishing_on, with_shorter_equations
 
 _BUDGET = 320  # case distinctions for the zeros of one piece's equations
 _ROUNDS = 3  # of exclusion: an equation may leave less, but not nothing
@@ -197,12 +196,10 @@ def _excluding(
 
 def _on_piece(minor: Polynomial, piece: Piece, singular: Singularity) -> Polynomial:
     """The factor that vanishes on the piece; the others say nothing of it."""
-    for case in possible_factors(singular.root, minor, singular.library):
-        first, *more = case.equations
-        places = [at for branch in piece.branches for at in branch.points]
-        if places and not more and not any(residue(first, *at) for at in places):
-            return first
-    return minor
+    if not any(branch.points for branch in piece.branches):
+        return minor
+    found = vanishing_on(piece, minor, singular.root, singular.library)
+    return next(iter(found), minor)
 
 
 def _minor_at(singular: Singularity, point: Point, prime: int) -> Polynomial | None:

@@ -20,13 +20,12 @@ from screwkit.algebra.cases import possible_factors
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.elimination import half_angle_solutions
 from screwkit.algebra.factor_library import FactorLibrary
-from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.loci.pieces import Piece
-from screwkit.loci.shorter_equations import remainders
+from screwkit.loci.shorter_equations import remainders, vanishing_on
 
 TERMS: Final = 60
 """Of an equation that is looked at."""
@@ -138,9 +137,8 @@ def _said(
     single = [case.equations[0] for case in cases if len(case.equations) == 1]
     if len(single) == len(cases) == 1:
         return single[0]
-    places = [at for branch in piece.branches for at in branch.points]
     told = all(branch.points and len(branch.pending) < 2 for branch in piece.branches)
-    zero = [e for e in single if told and not any(residue(e, *at) for at in places)]
+    zero = vanishing_on(piece, value, root, library) if told else []
     return min(zero, key=_size) if zero else primitive(value)
 
 

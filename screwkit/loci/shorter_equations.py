@@ -108,11 +108,24 @@ def _on_piece(
     equation: Polynomial, piece: Piece, root: Branch, library: FactorLibrary
 ) -> Polynomial | None:
     """The shortest factor that vanishes on the piece; the others say nothing of it."""
+    return min(vanishing_on(piece, equation, root, library), key=len, default=None)
+
+
+def vanishing_on(
+    piece: Piece, equation: Polynomial, root: Branch, library: FactorLibrary
+) -> list[Polynomial]:
+    """Factors of one equation that vanish at all exact points of a piece.
+
+    Args:
+        piece: With exact points.
+        equation: Not zero.
+        root: The whole configuration space.
+        library: Factors met before.
+    """
     places = [at for branch in piece.branches for at in branch.points]
-    vanishing = [
+    return [
         case.equations[0]
         for case in possible_factors(root, equation, library)
         if len(case.equations) == 1
         and not any(residue(case.equations[0], *at) for at in places)
     ]
-    return min(vanishing, key=len, default=None)
