@@ -122,7 +122,7 @@ class Branch:
             for condition in self.conditions
             for equation in sharper.get(str(condition), (condition,))
         ]
-        return (*found, *self.extra)
+        return tuple({str(e): e for e in (*found, *self.extra)}.values())
 
     @cached_property
     def divisors(self) -> tuple[Polynomial, ...]:
@@ -378,8 +378,9 @@ def is_solvable(branch: Branch, condition: Polynomial) -> bool:
 
 def without(branch: Branch, pending: Pending) -> Branch:
     """The branch before a pending condition was imposed."""
-    return replace(
-        branch,
-        conditions=tuple(c for c in branch.conditions if c is not pending.condition),
-        pending=tuple(p for p in branch.pending if p is not pending),
-    )
+    left = [p for p in branch.pending if p is not pending]
+    conditions = list(branch.conditions)
+    # Imposed twice, it is still a condition by the other one.
+    if pending.condition in conditions:
+        conditions.remove(pending.condition)
+    return replace(branch, conditions=tuple(conditions), pending=tuple(left))

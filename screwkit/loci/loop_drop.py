@@ -293,7 +293,7 @@ def _can_depend(chosen: Sequence[Stratum], walk: _Walk) -> bool:
 def imposed(branch: Branch, equation: Polynomial, search: Search) -> list[Branch]:
     """The parts of a branch on which an equation of the whole ring holds."""
     value = branch.value(equation)
-    if value == 0:
+    if value == 0 or branch.vanishes([value]):
         return [branch]
     found: list[Branch] = []
     for case in possible_factors(branch, value, search.library):

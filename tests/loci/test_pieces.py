@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from screwkit.algebra.assumptions import Assumptions
-from screwkit.algebra.branches import Branch
+from screwkit.algebra.branches import Branch, restricted, without
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.elimination import steps_of
 from screwkit.algebra.evaluation import evaluate
@@ -17,6 +17,7 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.case import load_text
+from screwkit.loci.meetings import recovered
 from screwkit.loci.pieces import Piece, pieces_of, without_contained
 from screwkit.questions import singularities
 
@@ -38,13 +39,19 @@ def pieces_where(*systems: list[str]) -> list[list[Piece]]:
     return found
 
 
+def in_common_ring(texts: list[str]) -> tuple[TrigonometricRing, list[Polynomial]]:
+    survey = SurveyRing()
+    parsed = [parse(text) for text in texts]
+    for one in parsed:
+        evaluate(one, survey)
+    ring = TrigonometricRing(survey)
+    return ring, [ring.normal(evaluate(one, ring)) for one in parsed]
+
+
 def in_ring_of(text: str, number: str) -> tuple[TrigonometricRing, Polynomial]:
     """A polynomial in a ring that contains a number beside it."""
-    survey = SurveyRing()
-    for one in (text, number):
-        evaluate(parse(one), survey)
-    ring = TrigonometricRing(survey)
-    return ring, ring.normal(evaluate(parse(text), ring))
+    ring, (polynomial, _) = in_common_ring([text, number])
+    return ring, polynomial
 
 
 def texts(pieces: list[Piece]) -> set[tuple[str, ...]]:
@@ -161,3 +168,23 @@ def test_an_offset_of_an_eighth_of_a_turn_changes_no_list() -> None:
     (meeting,) = [c for c in turned.components if "+" in c.equations[0]]
     assert meeting.solved[0] is not None
     assert set(meeting.solved[0].values) == {"-pi/4", "3*pi/4"}
+
+
+def test_what_holds_already_is_imposed_once() -> None:
+    """Isoglide4's equations of two limbs, one of them said twice as conditions are.
+
+    Of a condition that was imposed twice both were lost when one was taken away.
+    """
+    one = "b*cos(p)*sin(s) - a*sin(s) - y*sin(s) - z*cos(s)"
+    other = "cos(s)*sin(t)*cos(u) + sin(s)*cos(t)*sin(u)"
+    ring, (first, second) = in_common_ring([one, other])
+    root, search = Branch(ring, Assumptions(frozenset())), Search(FactorLibrary(ring))
+    told = [first, second, second, first, second]
+    piece = recovered(root, told, 2, search)
+    assert piece is not None
+    (branch,) = piece.branches
+    assert list(branch.conditions) == [first, second]
+    twice = restricted(restricted(root, second)[0], second)[0]
+    assert list(twice.equations(())) == [second]
+    left = without(twice, twice.pending[0])
+    assert (len(left.pending), list(left.conditions)) == (1, [second])
