@@ -104,9 +104,10 @@ def exact_values(
     radicands = [r.value for r in seen.roots if isinstance(r, Number)]
     field = ConstantField.needed_by(radicands, seen.turn)
     roots = [*radicands, *map(Fraction, field.primes)]
+    measures = seen.measures
     for attempt in range(_ATTEMPTS):
         prime = prime_for(seen.turn, roots, seed + 1000 * attempt, bits)
-        ring = ModularRing(seed + attempt, prime, field)
+        ring = ModularRing(seed + attempt, prime, field, measures)
         try:
             for root in seen.roots:  # at once, for most attempts fail at one of these
                 ring.square_root(root, evaluate(root, ring))

@@ -46,7 +46,7 @@ def polynomial(text: str) -> tuple[TrigonometricRing, Polynomial]:
         ("9688*cos(2/5) + 5063*sin(2/5)", True, None),
         ("sqrt(3)*sin(2/5) - 1", True, None),  # transcendental
         ("cos(1/5) + 3*sin(1/10)", True, None),
-        ("sin(1/5) - 2*sin(1/10)*cos(1/10)", False, None),  # zero
+        ("sin(4/5) - 2*sin(1/10)*cos(1/10)", True, None),
         ("sin(1/5) - q1", False, None),
         ("sin(1/5) - sin(q1)", False, None),
         ("sin(q1)^2 + r1", False, None),
