@@ -43,7 +43,7 @@ def component_of(
         geometry = words(simpler)
     return Component(
         equations=equations_of(simpler),
-        codimension=piece.independent,
+        codimension=piece.codimension,
         solutions=all_solutions(simpler),
         solved=solved_equations(simpler),
         rank=rank,
