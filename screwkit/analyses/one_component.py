@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factor_library import FactorLibrary
@@ -59,6 +59,7 @@ def limb_component(
     root: Branch,
     library: FactorLibrary,
     meanings: Meanings | None,
+    listed: Sequence[Piece],
     *,
     rank: int,
     dimension: int,
@@ -70,14 +71,21 @@ def limb_component(
         root: The whole configuration space.
         library: Factors met before.
         meanings: Of the limb's frame; None where no sentence is looked for.
+        listed: All pieces of the locus.
         rank: Of its twists there.
         dimension: Coordinates of a twist that count.
     """
+
+    def others(written: Piece) -> list[Piece]:
+        return [written if other is piece else other for other in listed]
+
     return component_of(
         piece,
         root,
         library,
-        meanings.of_limb if meanings else None,
+        (lambda written: meanings.of_limb(written, others(written)))
+        if meanings
+        else None,
         rank=rank,
         wrench_dimension=dimension - rank,
     )

@@ -118,8 +118,7 @@ def singularities(
 def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
     """Where the twists of one limb lose rank."""
     framed = assembly.limb_twists[limb.name]
-    ring = framed.ring
-    root, library = assembly.root(ring), assembly.library(ring)
+    root, library = assembly.root(framed.ring), assembly.library(framed.ring)
     columns = [framed.column(joint) for joint in limb.joints]
     found = limb_pieces(assembly, limb, [root])
     pieces = _in_order(found.exact.pieces)
@@ -131,6 +130,7 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
             root,
             library,
             meanings,
+            pieces,
             rank=rank_on(piece, columns),
             dimension=assembly.dimension,
         )
