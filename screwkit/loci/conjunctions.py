@@ -28,7 +28,6 @@ _SAID = 6  # statements together
 _BESIDE = 12  # branches that are followed at once
 _AGAIN = 4  # statements that are looked at once more
 _SEARCHES = 40  # of branches for a statement, in all
-_GROUPS = 6  # sets of components that are tried
 _BUDGET = 40  # case distinctions for one statement on one branch
 
 Said = tuple[str, Sequence[Polynomial]]
@@ -83,7 +82,7 @@ def conjunction(
 def _groups(
     piece: Piece, said: Sequence[Said], others: Sequence[Piece]
 ) -> list[tuple[int, ...]]:
-    """Other components that may share statements: mirror images, then all that do."""
+    """Other components that may share statements: mirror images, then the most."""
     beside = [
         (number, other)
         for number, other in enumerate(others)
@@ -91,8 +90,8 @@ def _groups(
     ]
     pairs = [(number,) for number, other in beside if _alike(piece, other)]
     sharing = [tuple(n for n, other in beside if _is_met(one, other)) for one in said]
-    found = [group for group in dict.fromkeys([*pairs, *sharing]) if group]
-    return [g for g in found if any(set(g) <= set(s) for s in sharing)][:_GROUPS]
+    found = [*pairs, max(sharing, key=len, default=())]
+    return [g for g in found if g and any(set(g) <= set(s) for s in sharing)]
 
 
 def _is_met(said: Said, piece: Piece) -> bool:
