@@ -1,22 +1,17 @@
 """Signs follow from the assumptions, and only where they do."""
 
 import pytest
+from one_ring import in_one_ring
 
 from screwkit.algebra.assumptions import Assumptions
-from screwkit.algebra.evaluation import evaluate
-from screwkit.algebra.parse import parse
-from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 ASSUMED = Assumptions(frozenset({"r1", "r3", "d3"}), frozenset({"k"}))
 
 
 def polynomial(text: str) -> tuple[TrigonometricRing, Polynomial]:
-    expression = parse(text)
-    survey = SurveyRing()
-    evaluate(expression, survey)
-    ring = TrigonometricRing(survey)
-    return ring, evaluate(expression, ring)
+    ring, (value,) = in_one_ring(text)
+    return ring, value
 
 
 @pytest.mark.parametrize(

@@ -5,20 +5,18 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from loci.numeric import Array, value
+from one_ring import in_one_ring
 from scipy.optimize import least_squares
 
 import screwkit as sk
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros
-from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.expression_building import symbols_of
 from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.parse import parse
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.search import Search
-from screwkit.algebra.survey import SurveyRing
-from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.loci.pieces import Piece, pieces_of
 from screwkit.loci.reduced_equations import reduced
 from screwkit.loci.wording import solved_equations
@@ -29,12 +27,8 @@ LENGTHS = {"a": 1.3, "b": 0.7}
 
 def pieces_where(*texts: str) -> tuple[Branch, FactorLibrary, list[Piece]]:
     """The zeros of some equations; a piece of one part is given by them as they are."""
-    parsed = [parse(text) for text in texts]
-    survey = SurveyRing()
-    for expression in parsed:
-        evaluate(expression, survey)
-    ring = TrigonometricRing(survey)
-    equations = tuple(ring.normal(evaluate(one, ring)) for one in parsed)
+    ring, polynomials = in_one_ring(*texts)
+    equations = tuple(polynomials)
     root, library = Branch(ring, POSITIVE), FactorLibrary(ring)
     zeros = common_zeros(root, equations, Search(library))
     pieces = pieces_of(zeros.branches)
