@@ -21,7 +21,7 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.certificates.checking import checked
 from screwkit.certificates.conditions import Problem
-from screwkit.certificates.covers import cover_of
+from screwkit.certificates.covered_components import with_covers
 from screwkit.certificates.derivation import proof_of
 from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.real_postures import RealPostures, sides_of
@@ -291,7 +291,7 @@ class PartDerivation:
         return self._root.points
 
     def _polynomials(self, component: Component) -> tuple[Polynomial, ...]:
-        return tuple(evaluate(read(e), self._ring) for e in component.equations)
+        return self._read(component.equations)
 
     def _locus(self, component: Component, equations: tuple[Polynomial, ...]) -> Locus:
         branches = self._branches(equations, component.codimension)
@@ -310,24 +310,12 @@ class PartDerivation:
         return sides_of(self._real, locus, random.Random(11))
 
     def _covered(self, part: Part) -> Part:
-        """With trees to all sheets of several equations, where they are found."""
-        components = tuple(self._with_cover(part, own) for own in part.components)
-        idle = tuple(self._with_cover(part, own, idle=True) for own in part.idle)
-        return replace(part, components=components, idle=idle)
-
-    def _with_cover(self, part: Part, locus: Locus, *, idle: bool = False) -> Locus:
-        if len(locus.equations) < 2:
-            return locus
+        """With trees to all sheets of components, where they are found."""
         problem = self._problem((), "constraint")
-        equations = tuple(evaluate(read(e), self._ring) for e in locus.equations)
-        found = replace(locus, cover=cover_of(problem, equations, whole=True))
-        if found.cover is not None:
-            alone = replace(part, components=() if idle else (found,))
-            alone = replace(alone, idle=(found,) if idle else (), proof=None)
-            with suppress(RefusedError):
-                checked(self._subject.mechanism, alone, "written")
-                return found
-        return replace(locus, cover=cover_of(problem, equations, whole=False))
+        return with_covers(self._subject.mechanism, part, problem, self._read)
+
+    def _read(self, equations: Sequence[str]) -> tuple[Polynomial, ...]:
+        return tuple(evaluate(read(e), self._ring) for e in equations)
 
     def _branches(
         self, equations: tuple[Polynomial, ...], codimension: int

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 
-from screwkit.algebra.branches import without
+from screwkit.algebra.branches import Pending, without
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.points import Point
 from screwkit.algebra.polynomial_text import text
@@ -120,10 +120,18 @@ class ProofSearch(OfferChoice):
 
     # -- products --------------------------------------------------------------------
 
-    def split_condition(self, place: Place, number: int) -> Node | None:
-        """The node of a condition that can be factored, or solved, by now."""
+    def split_condition(
+        self, place: Place, number: int, chosen: Sequence[Pending] | None = None
+    ) -> Node | None:
+        """The node of a condition that can be factored, or solved, by now.
+
+        Args:
+            place: The node.
+            number: Of the node.
+            chosen: Conditions that may be taken; by default all of them.
+        """
         branch = place.branch
-        for pending in branch.pending:
+        for pending in branch.pending if chosen is None else chosen:
             factors = self.factors(branch, pending.value)
             same = len(factors) == 1 and str(factors[0][0].equations[0]) in (
                 str(pending.value),
