@@ -40,7 +40,7 @@ from screwkit.certificates.records import (
 from screwkit.certificates.scheme_claims import check_schemes
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.sheets import Sheets
-from screwkit.certificates.signs import Signs
+from screwkit.certificates.signs import Signs, declared_signs
 from screwkit.certificates.solutions import Solutions
 from screwkit.certificates.texts import NoPostureError, RefusedError, read
 from screwkit.certificates.towers import Towers
@@ -130,12 +130,8 @@ class PartCheck:
             self._matrix = GraphMatrix(self._postures)
         else:
             self._matrix = ScrewMatrix(self._postures)
-        own = mechanism.parameters
-        self._signs = Signs(
-            {p.name for p in own if p.positive},
-            {p.name for p in own if p.positive or p.nonzero},
-        )
-        self._dimensions = {p.name for p in own if not p.free}
+        self._signs = Signs(*declared_signs(mechanism))
+        self._dimensions = {p.name for p in mechanism.parameters if not p.free}
         self._sheets = Sheets(self._postures, source)
         self.general = GeneralClaims(
             self._postures,

@@ -14,12 +14,13 @@ from functools import partial
 from itertools import chain, combinations, islice
 from typing import TypeAlias
 
-from screwkit.algebra.branches import without
+from screwkit.algebra.branches import Branch, without
 from screwkit.algebra.eliminated_sums import sums_without
 from screwkit.algebra.elimination import half_angle_steps
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import text
+from screwkit.algebra.substitution import linear_parts
 from screwkit.algebra.sums_of_conditions import (
     Combination,
     equal_leads,
@@ -47,6 +48,9 @@ NODES = 300
 CONDITIONS = 12
 """Unsolved conditions at a node."""
 
+WORK = 2_500
+"""Terms of unsolved conditions at all of them together."""
+
 TRIED = 3
 """Ways to go on at a node that leave something open."""
 
@@ -65,17 +69,25 @@ class CoverSearch(ProofSearch):
         equations: How many conditions it starts with.
         trials: Asks whether a sheet will be taken.
         under_way: Nodes on the way, by the number of their steps and their conditions.
+        work: Terms of unsolved conditions at all nodes so far.
     """
 
     equations: int = 0
     trials: SheetTrials = field(kw_only=True)
     under_way: set[tuple[str, ...]] = field(default_factory=set, init=False)
+    work: int = field(default=0, init=False)
+
+    @property
+    def is_long(self) -> bool:
+        """Whether the search is given up."""
+        return self.count > NODES or self.work > WORK
 
     def node(self, place: Place) -> Node:
         """A condition that is a product or can be solved; a sheet; or a sum."""
         branch, number = place.branch, self.count
         self.count += 1
-        if self.count > NODES or len(branch.pending) > CONDITIONS:
+        self.work += sum(len(pending.value) for pending in branch.pending)
+        if self.is_long or len(branch.pending) > CONDITIONS:
             raise NotProvedError("the equations have too many sheets")
         if len(branch.steps) + bool(branch.pending) > self.equations:
             return Node(number, small=True)
@@ -112,6 +124,7 @@ class CoverSearch(ProofSearch):
             found = (
                 self.of_a_pair(place, number)
                 or self.split_condition(place, number, left)
+                or self.of_a_remainder(place, number)
                 or self.special_of_all(place, number)
                 or self.first(self.ways(place, narrow, number))
             )
@@ -126,7 +139,7 @@ class CoverSearch(ProofSearch):
             try:
                 found = way()
             except NotProvedError:
-                if self.count > NODES:
+                if self.is_long:
                     raise
                 found = None
             if found is not None:
@@ -253,6 +266,59 @@ class CoverSearch(ProofSearch):
             cases = self.cases(place, [(own, 2)], options)
             return Node(number, combination=terms, cases=cases)
         return None
+
+    def of_a_remainder(self, place: Place, number: int) -> Node | None:
+        """A symbol taken out of a condition by one that is linear in it.
+
+        Where its coefficient vanishes nowhere, or for special dimensions alone, what is
+        left of the condition says the same.
+        """
+        branch, ring = place.branch, place.branch.ring
+        values = [pending.value for pending in branch.pending]
+        numbers = [place.number(pending) for pending in branch.pending]
+        usable = self.is_divisor(branch)
+        settled = self.settled(values, branch)
+        for found in without_symbols(ring, values, usable):
+            if any(found.times[k] != 0 for k in settled - {found.about}):
+                continue  # nor is it undone what was done before
+            kept = branch.value(found.value)
+            before = replace(place, branch=without(branch, branch.pending[found.about]))
+            factors = [] if kept == 0 else self.factors(branch, kept)
+            if kept == 0 or self.is_held(before, factors):  # the condition is implied
+                return self.gone_on(before, number)
+            options = self.options(before, factors)
+            cases = self.cases(before, factors, options)
+            terms = terms_of(place, numbers, found)
+            return Node(number, combination=terms, cases=cases)
+        return None
+
+    def settled(self, values: Sequence[Polynomial], branch: Branch) -> set[int]:
+        """Conditions that give a symbol of the posture which no other one holds."""
+        ring, usable = branch.ring, self.is_divisor(branch)
+        found = set()
+        for number, value in enumerate(values):
+            others = [own for k, own in enumerate(values) if k != number]
+            for index in ring.symbol_indices():
+                if value.degrees()[index] != 1 or any(
+                    own.degrees()[index] for own in others
+                ):
+                    continue
+                if usable(index, linear_parts(ring, value, index)[0]):
+                    found.add(number)
+        return found
+
+    def is_divisor(self, branch: Branch) -> Callable[[int, Polynomial], bool]:
+        """Tells symbols of the posture and coefficients that vanish nowhere there."""
+
+        def usable(index: int, lead: Polynomial) -> bool:
+            if index in branch.dimensions:
+                return False
+            own = Factor(str(lead), (lead,))
+            return self.is_of_dimensions(branch, own) or (
+                branch.assumptions.is_nonzero(branch.ring, lead)
+            )
+
+        return usable
 
     def sums(self, place: Place) -> Iterator[Sum]:
         """Sums of conditions that say something new, those that leave little first."""

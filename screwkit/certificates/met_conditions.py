@@ -91,7 +91,7 @@ def orders(place: Place) -> Iterator[tuple[Met, ...]]:
     found = 0
     for size in sizes:
         for kept in combinations(told, size):
-            for order in islice(_orders(branch.ring, kept), ORDERS):
+            for order in islice(_orders(branch, kept), ORDERS):
                 yield (*alone, *order)
                 found += 1
                 if found >= MOST:
@@ -134,12 +134,11 @@ def _is_multiple(own: Pending, others: Sequence[Pending]) -> bool:
     )
 
 
-def _orders(
-    ring: TrigonometricRing, left: Sequence[Pending]
-) -> Iterator[tuple[Met, ...]]:
+def _orders(branch: Branch, left: Sequence[Pending]) -> Iterator[tuple[Met, ...]]:
     if not left:
         yield ()
         return
+    ring, dimensions = branch.ring, {("x", index) for index in branch.dimensions}
     inside = [{*unknowns(ring, own.value)} for own in left]
     found = list[Met]()
     for number, own in enumerate(left):
@@ -151,10 +150,17 @@ def _orders(
                 found.append(Met((own,), (unknown,), degree, nonzero))
     if not found:
         found = [*_systems(ring, left)]
-    found.sort(key=lambda met: (met.degree, sum(map(len, met.coefficients))))
+    # what is left where coefficients of a dimension vanish is hard to take apart
+    found.sort(
+        key=lambda met: (
+            bool(dimensions & {*met.unknown}),
+            met.degree,
+            sum(map(len, met.coefficients)),
+        )
+    )
     for met in found:
         rest = [own for own in left if own not in met.pending]
-        for order in _orders(ring, rest):
+        for order in _orders(branch, rest):
             yield (*order, met)
 
 
