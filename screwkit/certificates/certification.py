@@ -33,6 +33,7 @@ from screwkit.certificates.records import (
     Source,
 )
 from screwkit.certificates.roots import NotProvedError, roots_of
+from screwkit.certificates.sheet_trials import SheetTrials
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.steps import written_step
 from screwkit.certificates.subjects import Subject, of_graph, of_limb, of_loops
@@ -207,7 +208,8 @@ class PartDerivation:
         late: bool = False,
     ) -> Part:
         problem = self._problem(loci, part.question)
-        proof = proof_of(problem, asks_limbs=asks_limbs, late=late)
+        trials = SheetTrials(self._subject.mechanism, replace(part, proof=None))
+        proof = proof_of(problem, asks_limbs=asks_limbs, late=late, trials=trials)
         return self._examined(replace(part, proof=proof))
 
     def _examined(self, part: Part) -> Part:

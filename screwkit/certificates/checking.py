@@ -239,8 +239,9 @@ class PartCheck:
             raise RefusedError("it says nothing about a component's own postures")
         if node.sheet:
             if self._covered is None:
-                raise RefusedError("nothing is said of it")
-            self.loci.sheet(self._covered, way, node)
+                self.loci.on_components(node, way)
+            else:
+                self.loci.sheet(self._covered, way, node)
             for case in node.cases:
                 self._case(case, way)
         elif node.small:

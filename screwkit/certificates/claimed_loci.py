@@ -180,6 +180,26 @@ class ClaimedLoci:
         started_with = len(locus.equations) + len(self._closed.conditions)
         return len(way.steps) + conditions > started_with
 
+    def on_components(self, node: Node, way: Way) -> None:
+        """Check that each sheet of a way in a proof lies on a component.
+
+        Raises:
+            RefusedError: If one may not.
+        """
+        if not node.roots:
+            raise RefusedError("nothing is said of it")
+        self._towers.check(node, way)
+        met = tuple(e.equation for own in node.roots for e in members(own))
+
+        def placed(at: PointRing, there: PointRing) -> bool:
+            return any(
+                all(vanishes(there.value(read(text))) for text in own.equations)
+                for own in self._part.components
+            ) or self._general.is_tied(at, replace(way, conditions=met))
+
+        if not all(self._towers.on(way, node.roots, placed)):
+            raise RefusedError("some of it lies on no component")
+
     def small(self, locus: Locus | None, way: Way) -> None:
         """Check that a way has fewer dimensions than n − k, for k equations.
 

@@ -19,7 +19,6 @@ from screwkit.algebra.eliminated_sums import sums_without
 from screwkit.algebra.elimination import half_angle_steps
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.points_on import unknowns
-from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.substitution import linear_parts
 from screwkit.algebra.sums_of_conditions import (
     Combination,
@@ -29,18 +28,16 @@ from screwkit.algebra.sums_of_conditions import (
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.certificates.conditions import Place, Problem, with_conditions
 from screwkit.certificates.derivation import ProofSearch
-from screwkit.certificates.met_conditions import Met, orders, standing_alone
-from screwkit.certificates.records import Case, Node
+from screwkit.certificates.met_conditions import orders, standing_alone
+from screwkit.certificates.records import Node
 from screwkit.certificates.roots import NotProvedError
-from screwkit.certificates.sheet_trials import SheetTrials
-from screwkit.certificates.steps import written_step
+from screwkit.certificates.sheet_trials import SheetTrials, on_the_way
 from screwkit.certificates.sums import (
     Sum,
     determinant_sum,
     solvable_sum,
     terms_of,
 )
-from screwkit.certificates.texts import read
 
 NODES = 300
 """Nodes of one tree, and of all that were tried for it."""
@@ -67,13 +64,11 @@ class CoverSearch(ProofSearch):
 
     Attributes:
         equations: How many conditions it starts with.
-        trials: Asks whether a sheet will be taken.
         under_way: Nodes on the way, by the number of their steps and their conditions.
         work: Terms of unsolved conditions at all nodes so far.
     """
 
     equations: int = 0
-    trials: SheetTrials = field(kw_only=True)
     under_way: set[tuple[str, ...]] = field(default_factory=set, init=False)
     work: int = field(default=0, init=False)
 
@@ -192,55 +187,8 @@ class CoverSearch(ProofSearch):
 
         None where it does not take the sheet, or that dimensions are tied.
         """
-        branch, ring = place.branch, place.branch.ring
-        steps = [written_step(branch, n) for n in range(len(branch.steps))]
-        conditions = [text(ring, own) for own in place.conditions]
-        return self.trials.seen(steps, conditions, node)
-
-    def bare_sheet(self, place: Place, number: int, order: Sequence[Met]) -> Node:
-        """A sheet without what follows on its cases."""
-        ring = place.branch.ring
-        cases = tuple(
-            Case(tuple(text(ring, own) for own in met.coefficients), 1) for met in order
-        )
-        roots = tuple(met.written(ring) for met in order)
-        return Node(number, sheet=True, roots=roots, cases=cases)
-
-    def sheet_of(self, place: Place, number: int, order: Sequence[Met]) -> Node:
-        """A sheet, with a case for each condition that is met on it."""
-        bare = self.bare_sheet(place, number, order)
-        cases = tuple(self.unsaid(place, met) for met in order)
-        return replace(bare, cases=cases)
-
-    def unsaid(self, place: Place, met: Met) -> Case:
-        """What follows where conditions say nothing of their unknowns."""
-        ring = place.branch.ring
-        end = self.end_of(place, met)
-        if end is not None:
-            return end
-        branch = place.branch
-        if len(met.pending) == 1:  # it is implied there
-            branch = without(branch, met.pending[0])
-        texts = tuple(text(ring, own) for own in met.coefficients)
-        option = self.where(replace(place, branch=branch), met.coefficients)
-        return Case(texts, 1, kept=self.on_sheet(option))
-
-    def end_of(self, place: Place, met: Met) -> Case | None:
-        """A coefficient that vanishes nowhere, or for special dimensions alone."""
-        ring = place.branch.ring
-        for own in met.coefficients:
-            written = text(ring, own)
-            if self.problem.signs.never_zero(read(written)):
-                return Case((written,), 1, end="positive")
-            if self.is_of_dimensions(place.branch, Factor(written, (own,))):
-                return Case((written,), 1, end="special")
-        return None
-
-    def cost(self, place: Place, met: Met) -> int:
-        """Roughly what is left where conditions say nothing; 0 if nothing is."""
-        if self.end_of(place, met) is not None:
-            return 0
-        return 2 + min(map(len, met.coefficients)) + len(met.coefficients)
+        trials = self.trials
+        return None if trials is None else trials.seen(*on_the_way(place), node)
 
     # -- sums ------------------------------------------------------------------------
 

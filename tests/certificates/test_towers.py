@@ -9,11 +9,15 @@ from typing import Any
 import pytest
 from certificates.forged import (
     HELICAL,
+    IN_LINE,
     IN_PLANE,
+    ONE_HEIGHT,
+    POSITIVE,
     TWO_LENGTHS,
     helical,
     judged,
     limb,
+    minor,
     solved,
     zero,
 )
@@ -21,7 +25,16 @@ from certificates.forged import (
 from screwkit.case import load_text
 from screwkit.certificates.coefficients import Coefficients
 from screwkit.certificates.postures import Postures, Way
-from screwkit.certificates.records import Case, Multiple, Node, Unsolved
+from screwkit.certificates.records import (
+    Case,
+    Locus,
+    Multiple,
+    Node,
+    Part,
+    Reach,
+    Step,
+    Unsolved,
+)
 from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.texts import RefusedError, read
 from screwkit.certificates.towers import Towers
@@ -122,6 +135,62 @@ def test_a_tree_rests_on_components_that_were_met_before_alone() -> None:
         judged(
             HELICAL, replace(whole, components=(first, replace(second, cover=false)))
         )
+
+
+# -- in a proof ------------------------------------------------------------------------
+
+
+def kept(text: str, coefficient: Case, *roots: Unsolved) -> Node:
+    """A minor with a case that is met at all of its roots."""
+    own = roots or (Unsolved(text, angle=0),)
+    there = Node(1, sheet=True, roots=own, cases=(coefficient,))
+    return minor(POSITIVE, Case((text,), 1, kept=there))
+
+
+NUMBER = Case(("1",), 1, end="positive")
+TIED = Case(("a - b",), 1, end="special")
+
+
+@pytest.mark.parametrize(
+    "proof", [kept("a*sin(q) - b*sin(q)", TIED), kept("(a - b)*sin(q)", TIED)]
+)
+def test_conditions_whose_sheets_lie_on_components_are_an_end(proof: Node) -> None:
+    judged(TWO_LENGTHS, limb(IN_LINE, proof=proof))
+
+
+@pytest.mark.parametrize(
+    ("part", "why"),
+    [
+        (limb(proof=kept("(a - b)*sin(q)", TIED)), "on no component"),
+        (limb(IN_LINE, proof=kept("(a - b)*sin(q)", NUMBER)), "other coefficients"),
+        (
+            limb(IN_LINE, proof=kept("(a - b)*sin(q)", replace(TIED, end="positive"))),
+            "may vanish",
+        ),
+        (
+            limb(
+                IN_LINE,
+                proof=kept("(a - b)*sin(q)", NUMBER, Unsolved("sin(q)", angle=0)),
+            ),
+            "its conditions",
+        ),
+    ],
+)
+def test_other_sheets_are_no_end(part: Part, why: str) -> None:
+    with pytest.raises(RefusedError, match=why):
+        judged(TWO_LENGTHS, part)
+
+
+def test_no_root_of_a_condition_is_left_out() -> None:
+    """5·sin q = 3 at (4/5, 3/5), which is listed, and at (−4/5, 3/5)."""
+    there = Reach((Step("angle", angle=0, sine="3/5", cosine="4/5"),))
+    right = Locus(("5*sin(q) - 3", "5*cos(q) - 4"), 2, -1, (there,))
+    both = Locus(("5*sin(q) - 3",), 2, -1, (there,))
+    proof = kept("5*sin(q) - 3", Case(("5",), 1, end="positive"))
+    judged(ONE_HEIGHT, limb(both, proof=proof))
+    for seed in range(8):
+        with pytest.raises(RefusedError, match="on no component"):
+            judged(ONE_HEIGHT, limb(right, proof=proof), seed)
 
 
 # -- coefficients ----------------------------------------------------------------------
