@@ -119,8 +119,8 @@ class ProofSearch(SheetNodes):
                 else None
             )
             or self.special(place, number)
-            or self.on_components(place, number)
             or self.of_a_sum(place, number, self.implied(place))
+            or self.on_components(place, number)
             or self.without_points(place, number)
             or self.by_limbs(place, number)
             or self.by_minor(place, number)
