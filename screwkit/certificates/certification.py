@@ -197,7 +197,9 @@ class PartDerivation:
                 return self._by_search(part, loci, asks_limbs=True)
         with suppress(NotProvedError, RefusedError):
             return self._by_search(part, loci)
-        return self._by_search(part, loci, late=True)
+        with suppress(NotProvedError, RefusedError):
+            return self._by_search(part, loci, late=True)
+        return self._by_search(part, loci, late=True, sheets=True)
 
     def _by_search(
         self,
@@ -206,9 +208,11 @@ class PartDerivation:
         *,
         asks_limbs: bool = False,
         late: bool = False,
+        sheets: bool = False,
     ) -> Part:
         problem = self._problem(loci, part.question)
-        trials = SheetTrials(self._subject.mechanism, replace(part, proof=None))
+        bare = replace(part, proof=None)
+        trials = SheetTrials(self._subject.mechanism, bare) if sheets else None
         proof = proof_of(problem, asks_limbs=asks_limbs, late=late, trials=trials)
         return self._examined(replace(part, proof=proof))
 
