@@ -45,7 +45,10 @@ NODES = 300
 CONDITIONS = 12
 """Unsolved conditions at a node."""
 
-WORK = 2_500
+SHORT = 48
+"""Nodes of one in which all is solved that can be, which shows more."""
+
+WORK = 1_800
 """Terms of unsolved conditions at all of them together."""
 
 TRIED = 3
@@ -64,18 +67,21 @@ class CoverSearch(ProofSearch):
 
     Attributes:
         equations: How many conditions it starts with.
+        solves: Whether conditions that stand alone are solved first.
         under_way: Nodes on the way, by the number of their steps and their conditions.
         work: Terms of unsolved conditions at all nodes so far.
     """
 
     equations: int = 0
+    solves: bool = True
     under_way: set[tuple[str, ...]] = field(default_factory=set, init=False)
     work: int = field(default=0, init=False)
 
     @property
     def is_long(self) -> bool:
         """Whether the search is given up."""
-        return self.count > NODES or self.work > WORK
+        most = SHORT if self.solves else NODES
+        return self.count > most or self.work > WORK
 
     def node(self, place: Place) -> Node:
         """A condition that is a product or can be solved; a sheet; or a sum."""
@@ -105,12 +111,11 @@ class CoverSearch(ProofSearch):
         """The node of what is neither small nor ended.
 
         Conditions that stand alone have sheets, on each of which the same would follow:
-        they are solved where too few dimensions are left, and met elsewhere.
+        they may be solved where too few dimensions are left, and met elsewhere.
         """
         branch = place.branch
-        alone = [
-            own for met in standing_alone(branch, branch.pending) for own in met.pending
-        ]
+        standing = () if self.solves else standing_alone(branch, branch.pending)
+        alone = [own for met in standing for own in met.pending]
         left = tuple(own for own in branch.pending if own not in alone)
         if len(branch.steps) + len(alone) + bool(left) > self.equations:
             found = self.split_condition(place, number)
@@ -150,6 +155,10 @@ class CoverSearch(ProofSearch):
             narrow: Without conditions that stand alone.
             number: Of the node.
         """
+        plain = Node(number, sheet=True)
+        if len(place.branch.pending) < 2 and self.seen(place, plain) is not None:
+            yield lambda: plain
+            return
         sheets = [
             (sum(self.cost(place, met) for met in order), order)
             for order in orders(place)
@@ -163,6 +172,9 @@ class CoverSearch(ProofSearch):
         first = next(held, None)
         if first is not None and not first[0]:
             yield partial(self.sheet_of, place, number, first[1])
+            return
+        if self.seen(place, plain) is not None:
+            yield lambda: plain
             return
         for maker in (solvable_sum, determinant_sum):
             yield partial(self.of_a_sum, place, number, maker(self, narrow))
@@ -329,9 +341,11 @@ def cover_of(
         trials: Asks whether a sheet will be taken.
     """
     start = with_conditions(problem.root, (*problem.demands, *equations))
-    search = CoverSearch(problem, 0, trials=trials)
-    search.equations = len(equations) + len(problem.demands)
-    try:
-        return search.node(Place(start, (*problem.demands, *equations)))
-    except (NotProvedError, ValueError):
-        return None
+    for solves in (True, False):
+        search = CoverSearch(problem, 0, trials=trials, solves=solves)
+        search.equations = len(equations) + len(problem.demands)
+        try:
+            return search.node(Place(start, (*problem.demands, *equations)))
+        except (NotProvedError, ValueError):
+            continue
+    return None
