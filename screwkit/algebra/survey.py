@@ -11,7 +11,6 @@ from fractions import Fraction
 from math import isqrt, lcm
 from typing import ClassVar
 
-from screwkit.algebra.angle_measures import Measures, common_measures
 from screwkit.algebra.expression import Expression, Number
 from screwkit.algebra.rational_values import rational_value
 from screwkit.algebra.ring import Known
@@ -61,11 +60,6 @@ class SurveyRing:
     divisors: dict[Expression, None] = field(default_factory=dict)
     turn: int = 1
     known: Known[Blank] = field(default_factory=dict, repr=False, compare=False)
-
-    @property
-    def measures(self) -> Measures:
-        """Of the constant angles, those met until now."""
-        return common_measures(self.constant_angles)
 
     @property
     def zero(self) -> Blank:

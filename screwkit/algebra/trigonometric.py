@@ -22,6 +22,7 @@ from typing import Any, Final, TypeAlias
 from flint import Ordering, fmpq, fmpq_mpoly_ctx, fmpq_poly
 
 from screwkit.algebra.angle_basis import AngleForm, inverse_forms
+from screwkit.algebra.angle_measures import common_measures
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.evaluation import add_angles, evaluate, multiply_angle
 from screwkit.algebra.expression import Expression, Number
@@ -70,7 +71,7 @@ class TrigonometricRing:
     ) -> None:
         angles = [*survey.angles]
         self.basis = tuple(plain_basis(angles) if basis is None else basis)
-        self.measures = survey.measures
+        self.measures = common_measures(survey.constant_angles)
         self.basis += tuple(((str(angle), 1),) for angle in self.measures.values)
         self.symbols = tuple(survey.symbols)
         self._constants = ConstantField.needed_by(

@@ -16,6 +16,7 @@ from typing import Any
 from weakref import WeakKeyDictionary
 
 from screwkit.algebra.angle_basis import inverse_forms
+from screwkit.algebra.angle_measures import common_measures
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.dual_point import DualRing
 from screwkit.algebra.exact_point import (
@@ -99,7 +100,7 @@ class Postures:
         self._field = ConstantField.needed_by(radicands, seen.turn)
         roots = [*radicands, *map(Fraction, self._field.primes), *radicands_of(part)]
         self.prime = prime_for(seen.turn, roots, source.randrange(2**60))
-        self._measures = seen.measures
+        self._measures = common_measures(seen.constant_angles)
         wanted = {*seen.angles, *map(str, self._measures.values)}
         self.declared = _declared(part.angles, wanted)
         self.symbols = tuple(seen.symbols)
