@@ -39,7 +39,7 @@ from screwkit.certificates.sums import (
     terms_of,
 )
 
-NODES = 300
+NODES = 1_500
 """Nodes of one tree, and of all that were tried for it."""
 
 CONDITIONS = 12
@@ -48,7 +48,7 @@ CONDITIONS = 12
 SHORT = 48
 """Nodes of one in which all is solved that can be, which shows more."""
 
-WORK = 1_800
+WORK = 12_000
 """Terms of unsolved conditions at all of them together."""
 
 TRIED = 3
