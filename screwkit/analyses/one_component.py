@@ -54,6 +54,20 @@ def component_of(
     )
 
 
+def among(
+    listed: Sequence[Piece],
+    piece: Piece,
+    find: Callable[[Piece, Sequence[Piece]], str | None],
+) -> Callable[[Piece], str | None]:
+    """What a piece means, which may be written by other equations in its list."""
+
+    def words(written: Piece) -> str | None:
+        others = [written if other is piece else other for other in listed]
+        return find(written, others)
+
+    return words
+
+
 def limb_component(
     piece: Piece,
     root: Branch,
@@ -75,17 +89,11 @@ def limb_component(
         rank: Of its twists there.
         dimension: Coordinates of a twist that count.
     """
-
-    def others(written: Piece) -> list[Piece]:
-        return [written if other is piece else other for other in listed]
-
     return component_of(
         piece,
         root,
         library,
-        (lambda written: meanings.of_limb(written, others(written)))
-        if meanings
-        else None,
+        among(listed, piece, meanings.of_limb) if meanings else None,
         rank=rank,
         wrench_dimension=dimension - rank,
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -16,12 +17,12 @@ from screwkit.certificates.texts import read
 
 
 @dataclass
-class SheetNodes(OfferChoice):
+class SheetNodes(OfferChoice, ABC):
     """Writes such nodes."""
 
+    @abstractmethod
     def on_sheet(self, option: Option) -> Node:
         """What follows on a case."""
-        raise NotImplementedError
 
     def bare_sheet(self, place: Place, number: int, order: Sequence[Met]) -> Node:
         """A sheet without what follows on its cases."""
