@@ -45,7 +45,7 @@ from screwkit.loci.wrench_sums import height_of
 
 _LONGEST = 4_000_000  # terms of a polynomial that is factored
 _APART = 300  # case distinctions where the whole determinant is too long
-_IDLE = 300  # case distinctions on all idle pieces
+_IDLE = 2_000  # case distinctions on all idle pieces
 
 
 def passive_joints(assembly: Assembly, actuated: Collection[str]) -> tuple[str, ...]:
