@@ -24,8 +24,8 @@ from screwkit.algebra.solved_text import (
     AngleValue,
     Quotient,
     angle_values_text,
-    power_slices,
     root_of_square,
+    short_slices,
 )
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
@@ -103,8 +103,8 @@ def _angles(
         variables = _own_variables(ring, short, i)
         if not variables:
             continue
-        slices = power_slices(ring, short.polynomial, places)
-        if _too_long(slices):
+        slices = short_slices(ring, short.polynomial, places, LONGEST_TEXT)
+        if slices is None:
             continue
         for variable in variables:
             form, turned = short.forms[i], slices
@@ -118,15 +118,6 @@ def _angles(
                 branches, modulo = solved
                 values = angle_values_text(branches, form, variable)
                 yield Solved(variable, values, modulo)
-
-
-def _too_long(slices: Slices) -> bool:
-    """Whether no solution can be short: all coefficients but one are written out.
-
-    A term takes four characters at least.
-    """
-    sizes = sorted(map(len, slices.values()))
-    return 4 * (sum(sizes[:-1]) - len(sizes)) > LONGEST_TEXT
 
 
 def _own_variables(ring: TrigonometricRing, short: Merged, angle: int) -> list[str]:
@@ -314,8 +305,10 @@ def _symbols(
     moving = moving or any(degrees[ring.sine_index(i)] for i in range(len(ring.basis)))
     free = [pair for pair in present if pair[1] not in declared]
     for place, name in free or ([] if moving else present):
-        slices = power_slices(ring, short.polynomial, (place,))
-        if _too_long(slices):
+        slices = None
+        if degrees[place] <= 2:
+            slices = short_slices(ring, short.polynomial, (place,), LONGEST_TEXT)
+        if slices is None:
             continue
         if max(slices) == (1,):
             ratio = Quotient.of(ring, short, -_at(ring, slices, 0), slices[1,])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import prod
 
 from screwkit.algebra.angles import Form, Merged
 from screwkit.algebra.assumptions import Assumptions
@@ -225,6 +226,26 @@ def power_slices(
         key = tuple(int(exponents[place]) for place in places)
         parts.setdefault(key, {})[tuple(rest)] = coefficient
     return {key: ring.context.from_dict(terms) for key, terms in parts.items()}
+
+
+def short_slices(
+    ring: TrigonometricRing,
+    polynomial: Polynomial,
+    places: tuple[int, ...],
+    longest: int,
+) -> dict[tuple[int, ...], Polynomial] | None:
+    """`power_slices`; None where no solution has so few characters.
+
+    All coefficients but one are written out, and a term takes four characters at least.
+    """
+    # Of long ones nothing more is built than what is free of the generators.
+    free = len(polynomial.subs({ring.names[place]: 0 for place in places}))
+    count = prod(polynomial.degrees()[place] + 1 for place in places)
+    if 4 * (min(free, len(polynomial) - free) - count) > longest:
+        return None
+    slices = power_slices(ring, polynomial, places)
+    sizes = sorted(map(len, slices.values()))
+    return None if 4 * (sum(sizes[:-1]) - len(sizes)) > longest else slices
 
 
 def root_of_square(polynomial: Polynomial) -> Polynomial | None:
