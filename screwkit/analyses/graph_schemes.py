@@ -56,7 +56,7 @@ class _Loci:
 
     def of(self, scheme: Scheme) -> Scheme:
         """The scheme with the equations on which it fails."""
-        if not scheme.admissible:
+        if not scheme.admissible or scheme.undecided:
             return scheme
         if self.left <= 0:
             return replace(scheme, undecided=True)
@@ -213,8 +213,10 @@ def _scheme(
 ) -> Scheme:
     """A scheme of which only the rank is known."""
     freedom = witnesses.state(actuated).platform_freedom
+    still = bool(freedom and own is not None and own.is_still(actuated))
+    freedom = 0 if still else freedom
     reason = witnesses.of(actuated) if freedom else None
-    if own is not None and not freedom:
+    if own is not None and not freedom and not still:
         freedom = own.freedom_left(actuated)
         reason = MOVES_ALL_ALONG if freedom else None
     return Scheme(
@@ -223,6 +225,7 @@ def _scheme(
         len(graph.network.rows) - freedom,
         reason=reason,
         balanced=_is_balanced(graph, actuated),
+        undecided=still,
     )
 
 

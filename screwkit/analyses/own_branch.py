@@ -24,6 +24,11 @@ MOVES_ALL_ALONG: Final = (
     "along; the exact closed postures where it is still belong to another branch"
 )
 
+STILL_ALL_ALONG: Final = (
+    "on the motions from the posture of the file, as sampled, the platform is still; "
+    "the exact closed postures where it moves belong to another branch"
+)
+
 
 class OwnBranch:
     """The motions from the posture of a file, sampled where that is asked about."""
@@ -32,13 +37,9 @@ class OwnBranch:
         self._network = network
 
     @cached_property
-    def _here(self) -> PostureModel:
-        return model_in_the_file(self._network)
-
-    @cached_property
     def _around(self) -> tuple[tuple[PostureModel, ...], ...]:
         """Postures on each branch."""
-        sample = finite_motion(self._here)
+        sample = finite_motion(model_in_the_file(self._network))
         if sample.model is None:
             return ()
         return tuple(
@@ -54,15 +55,18 @@ class OwnBranch:
         """The platform's freedoms all along every motion, some freedoms locked.
 
         Returns:
-            0 where it is still at the posture of the file or somewhere on a motion, and
-            where that is not clear.
+            0 where it is still somewhere on a motion, and where that is not clear.
         """
-        if not numbers_at(self._here, locked).twist_dimension:
-            return 0
         return min(map(min, self._freedoms(locked)), default=0)
 
-    def _freedoms(self, locked: Sequence[str]) -> Iterator[list[int]]:
-        """On each branch those that are clear; 0 where none is."""
+    def is_still(self, locked: Sequence[str]) -> bool:
+        """Whether the platform is still all along every motion."""
+        found = [*self._freedoms(locked)]
+        return bool(found) and not any(map(max, found))
+
+    def _freedoms(self, locked: Sequence[str]) -> Iterator[tuple[int, ...]]:
+        """On each branch at its places; from 0 to 6 where one is not clear."""
         for models in self._around:
             found = [numbers_at(model, locked) for model in models]
-            yield [x.twist_dimension for x in found if x.clear] or [0]
+            clear = all(x.clear for x in found)
+            yield tuple(x.twist_dimension for x in found) if clear else (0, 6)
