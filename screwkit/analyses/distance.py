@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Final
 
 from screwkit.algebra.closed_values import closed_value
@@ -16,7 +17,12 @@ from screwkit.algebra.expression import ZERO, Expression
 from screwkit.algebra.expression_building import substitute
 from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.parse import parse
-from screwkit.analyses.exact_distance import exact_nearest, planes_of
+from screwkit.analyses.exact_distance import (
+    angle_of_turn,
+    exact_nearest,
+    planes_of,
+)
+from screwkit.errors import UndecidedError
 from screwkit.finite.posture_model import PostureModel
 from screwkit.kinematics.values import declared_values
 from screwkit.mechanism.model import Mechanism
@@ -161,12 +167,14 @@ class Posture:
         values = {**written, **known}
         return {name: substitute(value, values) for name, value in known.items()}
 
-    @property
+    @cached_property
     def free_angles(self) -> frozenset[str]:
-        """Angles that nothing ties and that are measured by themselves."""
-        if self.chart.bodies is not None:
+        """Angles that nothing ties, and whose change is what is measured."""
+        chart, pose = self.chart, self.mechanism.pose
+        if chart.bodies is not None:
             return frozenset()
-        return self.chart.angles - self.chart.posed
+        turning = angle_of_turn(pose, chart.names) if pose else frozenset[str]()
+        return chart.angles - chart.posed | chart.angles & turning
 
 
 def distances_to_components(
@@ -209,7 +217,10 @@ def _exact(
     if not found:
         return None
     values = {n: closed_value(v) or 0.0 for n, v in posture.start().items()}
-    there = nearest_at(posture.chart, {**values, **found.values}, found.distance)
+    try:
+        there = nearest_at(posture.chart, {**values, **found.values}, found.distance)
+    except UndecidedError:  # An axis has no direction right there.
+        return None
     if not limits.admit(there.values, posture.chart.units):
         return None
     known = kind.rank_of(there.model)

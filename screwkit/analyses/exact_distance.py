@@ -3,17 +3,20 @@
 An equation solved for one angle, with integer multiples of others beside it, is a
 family of parallel planes in the space of the angles.  Where the planes of a component
 are perpendicular to each other, the nearest point lies at the nearest plane of each.
+The angle about one axis by which a pose turns is such an angle: what else the pose has
+may stay.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import pi
 
 from screwkit.algebra.closed_values import closed_value
 from screwkit.algebra.expression import (
+    ONE,
     ZERO,
     Call,
     Expression,
@@ -37,6 +40,7 @@ from screwkit.algebra.expression_building import (
 from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.parse import parse
 from screwkit.algebra.text import expression_text
+from screwkit.mechanism.model import Pose
 from screwkit.mechanism.vanishing import is_negative, is_zero
 from screwkit.results.singularities import Component
 from screwkit.results.solution import Solution
@@ -143,6 +147,34 @@ def _linear(
                 rest = add(rest, part[1])
             return slopes, rest
     return None
+
+
+def angle_of_turn(pose: Pose, moving: Collection[str]) -> frozenset[str]:
+    """The symbol whose change is the angle by which a pose turns, if one is.
+
+    Args:
+        pose: Of the platform.
+        moving: Symbols that change.
+
+    Returns:
+        Empty where several symbols turn it, one turns it otherwise, or one shifts it as
+        well.
+    """
+    turning = _symbols_in(pose.rotation) & frozenset(moving)
+    if len(turning) != 1 or turning & _symbols_in((pose.translation,)):
+        return frozenset()
+    (name,) = turning
+    before = Symbol(f"{name}'")  # No name of a file.
+    entries = [x for row in pose.rotation for x in row]
+    trace = add(*(multiply(x, substitute(x, {name: before})) for x in entries))
+    angle = call("cos", subtract(Symbol(name), before))
+    gap = subtract(trace, add(ONE, angle, angle))
+    return turning if is_zero(gap) else frozenset()
+
+
+def _symbols_in(rows: Iterable[Iterable[Expression]]) -> frozenset[str]:
+    """Of all entries."""
+    return frozenset[str]().union(*(symbols_of(x) for row in rows for x in row))
 
 
 def exact_nearest(

@@ -19,6 +19,7 @@ from screwkit.algebra.names import counted
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.trigonometric import primitive
 from screwkit.analyses.graph_redundancy import graph_redundancy
+from screwkit.analyses.own_branch import MOVES_ALL_ALONG, OwnBranch
 from screwkit.analyses.scheme_lists import (
     NOTHING_DECLARED,
     Ranked,
@@ -55,7 +56,7 @@ class _Loci:
 
     def of(self, scheme: Scheme) -> Scheme:
         """The scheme with the equations on which it fails."""
-        if not scheme.admissible:
+        if not scheme.admissible or scheme.undecided:
             return scheme
         if self.left <= 0:
             return replace(scheme, undecided=True)
@@ -144,8 +145,9 @@ def graph_schemes(
     total = number_of_schemes(number, len(chosen))
     progress("schemes", f"{total} schemes of {number} joints")
     witnesses = GraphWitnesses(graph)
+    own = OwnBranch(graph.network) if isinstance(graph, TiedGraph) else None
     listed = [
-        _scheme(graph, actuated, witnesses)
+        _scheme(graph, actuated, witnesses, own)
         for actuated in combinations(chosen, number)
         if not balanced or _is_balanced(graph, actuated)
     ]
@@ -204,16 +206,26 @@ def _candidates(graph: WholeGraph, names: Sequence[str] | None) -> tuple[str, ..
 
 
 def _scheme(
-    graph: WholeGraph, actuated: tuple[str, ...], witnesses: GraphWitnesses
+    graph: WholeGraph,
+    actuated: tuple[str, ...],
+    witnesses: GraphWitnesses,
+    own: OwnBranch | None,
 ) -> Scheme:
     """A scheme of which only the rank is known."""
     freedom = witnesses.state(actuated).platform_freedom
+    still = bool(freedom and own is not None and own.is_still(actuated))
+    freedom = 0 if still else freedom
+    reason = witnesses.of(actuated) if freedom else None
+    if own is not None and not freedom and not still:
+        freedom = own.freedom_left(actuated)
+        reason = MOVES_ALL_ALONG if freedom else None
     return Scheme(
         actuated,
         not freedom,
         len(graph.network.rows) - freedom,
-        reason=witnesses.of(actuated) if freedom else None,
+        reason=reason,
         balanced=_is_balanced(graph, actuated),
+        undecided=still,
     )
 
 

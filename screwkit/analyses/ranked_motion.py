@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from screwkit.errors import UndecidedError
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.network import Network
-from screwkit.kinematics.whole_graph import LockedRanks
+from screwkit.kinematics.whole_graph import LockedRanks, ranks_of
 from screwkit.loci.actuation import passive_joints
 from screwkit.loci.passive import PassiveSystem
 from screwkit.mechanism.graph import Step
@@ -85,7 +85,7 @@ def _of_graph(mechanism: Mechanism, schemes: Sequence[tuple[str, ...]]) -> Ranke
     ranks = [LockedRanks(found) for found in network.motions]
 
     def left(locked: tuple[str, ...]) -> tuple[int, int]:
-        state = max((one.state(locked) for one in ranks), key=lambda s: s.loop)
+        state = max((one.state(locked) for one in ranks), key=ranks_of)
         return state.mobility, state.platform_freedom
 
     way: list[Step] = []

@@ -49,15 +49,18 @@ def rank_in_the_file(network: Network, locked: Sequence[str] = ()) -> int:
     """
     if closed_table(network) is None:
         return max(motion(network, at, locked).rank for at in network.postures)
-    return numbers_at(_model(network), locked).loop_rank
+    return numbers_at(model_in_the_file(network), locked).loop_rank
 
 
 def _ranks_around(network: Network) -> set[int]:
     """Ranks in general on the motions that start from the posture, by sampling."""
-    return {branch.loop_rank for branch in finite_motion(_model(network)).branches}
+    return {
+        branch.loop_rank
+        for branch in finite_motion(model_in_the_file(network)).branches
+    }
 
 
-def _model(network: Network) -> PostureModel:
+def model_in_the_file(network: Network) -> PostureModel:
     """The posture of the file in numbers."""
     mechanism = with_values(network.mechanism, declared_values(network.mechanism))
     table = closed_table(network)

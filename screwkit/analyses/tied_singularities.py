@@ -18,6 +18,7 @@ from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.solve import solutions
 from screwkit.analyses.closed_example import closed_example
 from screwkit.analyses.one_component import component_of
+from screwkit.analyses.own_branch import MOVES_ALL_ALONG, STILL_ALL_ALONG, OwnBranch
 from screwkit.analyses.tied_branch import rank_in_the_file
 from screwkit.analyses.whole_singularities import (
     graph_component,
@@ -143,9 +144,17 @@ def tied_actuation(
     """
     size = _size(graph)
     generic = graph.generic_state(actuated)
+    own = OwnBranch(graph.network)
+    if generic.platform_freedom and own.is_still(actuated):
+        return ActuationSingularities(
+            tuple(actuated), True, size, False, (), reason=STILL_ALL_ALONG
+        ), ()
     if generic.platform_freedom:
         witness = GraphWitnesses(graph).of(actuated)
         return never_still(actuated, size, generic.platform_freedom, witness), ()
+    left = own.freedom_left(actuated)
+    if left:
+        return never_still(actuated, size, left, MOVES_ALL_ALONG), ()
     locus = loop_locus(graph, actuated, graph.unknowns_of(actuated))
     found = []
     for one in locus.pieces:

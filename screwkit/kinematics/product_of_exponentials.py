@@ -1,8 +1,10 @@
 """Where the bodies of a ``reference`` file are, over any ring.
 
 Axes and points hold at joint variables 0; every freedom then moves what follows it by
-the exponential of its twist.  Bodies are placed along a spanning forest, so that a
-joint which closes a loop is where its parent is, which is right on closed postures.
+the exponential of its twist.  Bodies are placed along a spanning forest.  Of a joint
+that closes a loop the first freedom is where its parent is and those after it where its
+child is, which is right on closed postures and needs none of its own variables: these
+need not be known where loops are closed by their axes alone.
 
 References: [MurrayLiSastry1994] §3.2.
 """
@@ -19,9 +21,17 @@ from screwkit.kinematics.freedoms import JointTwist, freedom_twists
 from screwkit.mechanism.graph import spanning_tree
 from screwkit.mechanism.joints import is_actuable
 from screwkit.mechanism.model import Joint, JointType, Mechanism, variable_value
+from screwkit.mechanism.vanishing import is_zero
 from screwkit.screw import vector
 from screwkit.screw.displacement import Displacement
 from screwkit.screw.vector import Vector
+
+_FIXED_AT_BOTH_ENDS = (
+    JointType.UNIVERSAL,
+    JointType.CYLINDRICAL,
+    JointType.PLANAR,
+)
+"""Joints whose first freedom keeps to the parent, and whose others to the child."""
 
 
 def exponential(twist: JointTwist[S], joint: Joint, ring: Ring[S]) -> Displacement[S]:
@@ -95,6 +105,10 @@ def placed_by_variables(
                 stack.append(other)
     for joint in mechanism.joints:
         _, own = _moved(joint, mechanism, ring, placed[joint.parent])
+        if joint.name not in tree and joint.type in _FIXED_AT_BOTH_ENDS:
+            still = freedom_twists(joint, ring, mechanism.space)[1:]
+            behind = (carried(twist, placed[joint.child], ring) for twist in still)
+            own = (own[0], *behind)
         twists |= {twist.label: twist for twist in own}
     return placed, twists
 
@@ -139,7 +153,9 @@ def _possible_squares(joint: Joint, freedom: int) -> tuple[Expression, ...]:
     """
     if joint.type is JointType.PLANAR and joint.normal is not None and freedom:
         x, y, z = (Power(part, 2) for part in joint.normal)
-        first = Sum((x, y)), Sum((y, z)), Sum((z, x))
+        pairs = Sum((x, y)), Sum((y, z)), Sum((z, x))
+        # A side has a length, and what is zero would be no divisor.
+        first = tuple(square for square in pairs if not is_zero(square))
         if freedom == 1:
             return first
         return tuple(multiply(Sum((x, y, z)), square) for square in first)

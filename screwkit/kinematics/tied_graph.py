@@ -31,7 +31,12 @@ from screwkit.kinematics.tied_twists import (
     tied_demands,
     tied_twists,
 )
-from screwkit.kinematics.whole_graph import GraphState, WholeGraph, state_of
+from screwkit.kinematics.whole_graph import (
+    GraphState,
+    WholeGraph,
+    ranks_of,
+    state_of,
+)
 
 _BUDGET = 60  # case distinctions on the closing equations
 _POINTS = 4  # exact closed postures from elimination
@@ -159,7 +164,7 @@ class TiedGraph(WholeGraph):
     ) -> GraphState:
         """The counts of largest rank at some exact postures."""
         found = [state_of(self.motion_at(*point, locked)) for point in points]
-        return max(found, key=lambda state: state.loop)
+        return max(found, key=ranks_of)
 
     def unknowns_of(self, driven: Sequence[str]) -> tuple[Unknown, ...]:
         """The variables of driven freedoms and the dimensions, as unknowns."""
@@ -204,7 +209,7 @@ class TiedGraph(WholeGraph):
             state_of(motion(part, self.posture_at(*point)))
             for point in self.closed.points
         ]
-        return max(found, key=lambda state: state.loop).platform_freedom
+        return max(found, key=ranks_of).platform_freedom
 
     def rank_of(
         self, labels: Sequence[str], points: Sequence[tuple[Point, int]]

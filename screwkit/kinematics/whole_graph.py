@@ -205,7 +205,7 @@ class WholeGraph:
             state_of(motion(self.network, posture, locked))
             for posture in self.network.postures
         ]
-        return max(found, key=lambda state: state.loop)
+        return max(found, key=ranks_of)
 
     @cached_property
     def generic_motions(self) -> tuple[Motion, ...]:
@@ -231,6 +231,15 @@ class WholeGraph:
 def state_of(found: Motion) -> GraphState:
     """The counts of a motion."""
     return GraphState(found.rank, found.mobility, len(found.platform_twists))
+
+
+def ranks_of(state: GraphState) -> tuple[int, int]:
+    """What is largest at postures in general: the rank, then what the platform feels.
+
+    Both are ranks of matrices; where the first is the same the second, which has the
+    platform's rows besides, falls with its freedom at special postures.
+    """
+    return state.loop, state.platform_freedom
 
 
 class LockedRanks:

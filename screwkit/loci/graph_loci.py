@@ -20,7 +20,13 @@ from screwkit.algebra.names import counted
 from screwkit.algebra.points import Point
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
-from screwkit.kinematics.whole_graph import GraphState, Row, WholeGraph, state_of
+from screwkit.kinematics.whole_graph import (
+    GraphState,
+    Row,
+    WholeGraph,
+    ranks_of,
+    state_of,
+)
 from screwkit.loci.exact_equations import Singularity, with_exact_equations
 from screwkit.loci.matrix_drop import MatrixZeros, RankAt, matrix_zeros
 from screwkit.loci.pieces import (
@@ -103,7 +109,7 @@ def state_on(
         for branch in branches[:2]
         for point in branch.points
     ]
-    return max(states, key=lambda state: state.loop)
+    return max(states, key=ranks_of)
 
 
 @dataclass(frozen=True)

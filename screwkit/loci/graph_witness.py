@@ -15,7 +15,12 @@ from screwkit.algebra.names import counted
 from screwkit.conventions import DIRECTION
 from screwkit.kinematics.network import Motion
 from screwkit.kinematics.subspaces import dimension
-from screwkit.kinematics.whole_graph import GraphState, LockedRanks, WholeGraph
+from screwkit.kinematics.whole_graph import (
+    GraphState,
+    LockedRanks,
+    WholeGraph,
+    ranks_of,
+)
 from screwkit.loci.features import Features, listed
 from screwkit.loci.placed_features import Residue, features_at, features_of
 from screwkit.loci.remaining_motion import motion_in_words
@@ -35,7 +40,7 @@ class GraphWitnesses:
     def state(self, locked: Sequence[str]) -> GraphState:
         """What moves in general with these freedoms locked."""
         states = [one.state(locked) for one in self._ranks]
-        return max(states, key=lambda state: state.loop)
+        return max(states, key=ranks_of)
 
     def of(self, actuated: Sequence[str]) -> str:
         """A sentence that explains why the platform stays movable."""

@@ -17,7 +17,8 @@ from typing import Final
 import numpy as np
 
 from screwkit.algebra.batch import Array
-from screwkit.metrics.nearest_point import Problem, descended, restored
+from screwkit.metrics.double_roots import lowest
+from screwkit.metrics.nearest_point import Problem, restored
 from screwkit.metrics.smooth import Conditions, several
 from screwkit.metrics.ways_on_motion import Space, followed, ways_from
 
@@ -38,6 +39,9 @@ DESCENTS: Final = 6
 
 OTHERS: Final = 2
 """... and from how many of the rest."""
+
+LOOKED: Final = 20
+"""At how many it is looked, once points were met that do not count."""
 
 CLOSER: Final = 4
 """Starts between the posture and the nearest point that was found so far."""
@@ -112,7 +116,7 @@ class _Candidate:
     point: Array
     distance: float
     begin: Array | None
-    met: int = 1
+    met: int
     counts: bool | None = None
     connected: bool = False
 
@@ -126,16 +130,32 @@ class _Rounds:
     found: list[_Candidate] = field(default_factory=list)
     starts: int = 0
 
-    def met(self, point: Array, begin: Array | None) -> None:
-        """Note one more point."""
-        for one in self.found:
-            if np.abs(one.point - point).max(initial=0.0) < SAME:
-                one.met += 1
-                return
+    def met(self, point: Array, begin: Array | None, times: int) -> None:
+        """Note a point, and how many starts led to it."""
+        if self.known(point, times):
+            return
         distance = self.space.distance(point)
         self.found.append(
-            _Candidate(point, distance, begin, connected=not self.space.tied)
+            _Candidate(point, distance, begin, times, connected=not self.space.tied)
         )
+
+    def known(self, point: Array, times: int) -> bool:
+        """Whether a point was met before; then it is met so many times more."""
+        for one in self.found:
+            if _same(one.point, point):
+                one.met += times
+                return True
+        return False
+
+    def promising(self, points: Sequence[Array]) -> list[int]:
+        """From which of some points, nearest first, the distance is to descend.
+
+        Where points were met that do not count, others like them are passed over.
+        """
+        if all(one.counts is not False for one in self.found):
+            return list(range(min(DESCENTS, len(points))))
+        looked = range(min(LOOKED, len(points)))
+        return [i for i in looked if self.counts(points[i])][:DESCENTS]
 
     def best(self) -> _Candidate | None:
         """The nearest point that counts; if possible one that a way leads to."""
@@ -253,15 +273,42 @@ def _look(
         return
     begun = np.array(starts)
     points = restored(problem.equations, begun)
-    far = problem.distances(points)
-    order = [int(i) for i in np.argsort(far) if np.isfinite(far[i])]
+    groups = _groups(points, problem.distances(points))
+    left = [own for own in groups if not rounds.known(points[own[0]], len(own))]
     random = np.random.default_rng(number)
-    rest = order[DESCENTS:]
-    chosen = order[:DESCENTS] + [int(i) for i in random.permutation(rest)[:OTHERS]]
-    ends = descended(problem, points[chosen])
+    chosen = rounds.promising([points[own[0]] for own in left])
+    rest = [i for i in range(len(left)) if i not in chosen]
+    chosen += [rest[i] for i in random.permutation(len(rest))[:OTHERS]]
+    ends = lowest(problem, points[[left[i][0] for i in chosen]])
     for i, end in zip(chosen, ends, strict=True):
         if np.isfinite(end).all():
-            rounds.met(end, begun[i] if i < known else None)
+            first = min(left[i])
+            begin = begun[first] if first < known else None
+            rounds.met(end, begin, len(left[i]))
+
+
+def _groups(points: Array, far: Array) -> list[list[int]]:
+    """Starts by the point they came to, the nearest first; without those that failed.
+
+    Args:
+        points: Shape (batch, n).
+        far: How far each is, shape (batch,); nan where there is none.
+    """
+    groups: list[list[int]] = []
+    for i in map(int, np.argsort(far)):
+        if not np.isfinite(far[i]):
+            continue
+        for own in groups:
+            if _same(points[own[0]], points[i]):
+                own.append(i)
+                break
+        else:
+            groups.append([i])
+    return groups
+
+
+def _same(one: Array, other: Array) -> bool:
+    return bool(np.abs(one - other).max(initial=0.0) < SAME)
 
 
 def _closer(space: Space, best: _Candidate | None, number: int) -> list[Array]:

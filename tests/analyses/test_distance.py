@@ -299,6 +299,24 @@ def test_a_planar_platform_against_a_dense_grid() -> None:
     assert determinant(x, y, phi) == pytest.approx(0, abs=1e-8)
 
 
+def test_a_turn_about_one_axis_is_an_angle() -> None:
+    """With equal triangles the legs are parallel at φ = 0 and meet at φ = π.
+
+    B_i − A_i = t + (R − 1) a_i: at φ = 0 all are t, at φ = π all lines pass t/2.
+    """
+    equal = {"a2": "6", "a3x": "2", "a3y": "5", "b2": "6", "b3x": "2", "b3y": "5"}
+    for phi, expected in (("3/10", "3/10"), ("-3", "pi - 3")):
+        case = sk.load("3rpr_planar", set_values=equal, at={"phi": phi, "x": "1"})
+        answer = sk.distance(case)
+        found = nearest(of(answer, "actuation", "sin(phi)"))
+        assert closed_value(parse(found.exact, ())) == pytest.approx(
+            closed_value(parse(expected, ())), abs=1e-14
+        )
+        x, y, there = found.values
+        assert (x, y) == (1, 2)
+        assert sin(there) == pytest.approx(0, abs=1e-14)
+
+
 def test_what_lies_beside_the_symbols_is_found_by_ranks() -> None:
     """With phi a number the file describes two of three freedoms; all are there."""
     whole = sk.distance(sk.load("3rpr_planar"), length="2")
