@@ -14,6 +14,7 @@ from dataclasses import dataclass, field, replace
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros, other_parts
+from screwkit.algebra.no_real_angle import never_met
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.loci.lifting import with_sheets_together
@@ -122,7 +123,14 @@ class Meetings:
             self.open += undecided
             found += [b for b in parts if b.codimension <= self.deepest]
         pieces = with_sheets_together(pieces_of(found))
-        return [p for p in pieces if is_inside(p, other) and is_inside(p, one)]
+        met = (p for p in pieces if is_inside(p, other) and is_inside(p, one))
+        return [p for p in met if not all(map(_is_complex, p.branches))]
+
+
+def _is_complex(branch: Branch) -> bool:
+    """Whether it is proved that a branch has no real posture."""
+    left = [pending.value for pending in branch.pending]
+    return never_met(branch.ring, [*branch.conditions, *left])
 
 
 def is_inside(inner: Piece, outer: Piece) -> bool:
