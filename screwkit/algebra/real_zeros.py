@@ -9,10 +9,12 @@ may be two squares (`completed_squares`).
 
 from __future__ import annotations
 
+import random
 from typing import Any
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.completed_squares import completed_square
+from screwkit.algebra.points import branch_primes, random_point, residue
 from screwkit.algebra.remembered import remembered
 from screwkit.algebra.solved_text import root_of_square
 from screwkit.algebra.substitution import angle_parts
@@ -20,6 +22,10 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primit
 
 TERMS = 40
 """Of a polynomial that is looked at."""
+
+_POINTS = 8  # at which what is no square is one with a chance of 1 in 128
+
+_HOMOGENEOUS = 2_000  # terms beyond which no further angle is made homogeneous
 
 
 @remembered
@@ -66,7 +72,7 @@ def _touching(
             continue  # an angle in numbers is solved, or is none
         a, b, e = parts
         beyond = ring.normal(e * e - a * a - b * b)
-        if beyond == 0:
+        if beyond == 0 or not _may_be_square(ring, beyond):
             continue
         for written in (beyond, _homogeneous(ring, beyond)):
             shape = primitive(written)
@@ -77,6 +83,20 @@ def _touching(
                     number = _is_number(ring, root)
                     return [ring.one] if number else [root, polynomial]
     return None
+
+
+def _may_be_square(ring: TrigonometricRing, polynomial: Polynomial) -> bool:
+    """Whether it is a number times a square at exact points: one class of residues."""
+    source, prime = random.Random(17), branch_primes()[0]
+    seen: set[bool] = set()
+    for _ in range(_POINTS):
+        point = random_point(ring, source, prime)
+        value = 0 if point is None else residue(polynomial, point, prime)
+        if value:
+            seen.add(pow(value, (prime - 1) // 2, prime) == 1)
+        if len(seen) > 1:
+            return False
+    return True
 
 
 def _extremal(
@@ -108,6 +128,8 @@ def _homogeneous(ring: TrigonometricRing, polynomial: Polynomial) -> Polynomial:
     """
     gens = ring.context.gens()
     for angle in range(len(ring.basis)):
+        if len(polynomial) > _HOMOGENEOUS:
+            break
         sine, cosine = ring.sine_index(angle), ring.cosine_index(angle)
         parts: dict[int, dict[tuple[int, ...], Any]] = {}
         for exponents, coefficient in polynomial.to_dict().items():

@@ -25,7 +25,7 @@ from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.limb_parts import Parts, columns_of, motion_at
 from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.kinematics.loop_state import LoopState, state_of
-from screwkit.loci.dependence import dependent_zeros
+from screwkit.loci.either_way import zeros_either_way
 from screwkit.loci.features import listed
 from screwkit.loci.local_codimension import codimension_around
 from screwkit.loci.open_branches import lying_where, undecided
@@ -41,6 +41,7 @@ from screwkit.loci.wrench_sums import height_of
 
 _EFFORT = 1_200  # case distinctions in all; long polynomials count more
 _BUDGET = 150  # case distinctions on one branch
+_EARNED = 400  # more, for each branch that was decided with angles kept
 _TOGETHER = 120  # case distinctions to meet the equations of some strata
 
 
@@ -123,6 +124,7 @@ class _Walk:
     alike: list[tuple[Branch, Branch]] = field(default_factory=list)
     pieces: list[Piece] = field(default_factory=list)
     effort: int = _EFFORT
+    kept_first: bool = False
 
     def keep(self, branches: Sequence[Branch]) -> None:
         """Take note of branches on which the loops lose rank."""
@@ -328,8 +330,13 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         away=tuple(p.equations[0] for p in walk.pieces if len(p.equations) == 1),
     )
     before = search.budget
-    zeros = dependent_zeros(branch, walk.limbs, search, within=True, in_blocks=True)
+    zeros, kept = zeros_either_way(
+        branch, walk.limbs, search, kept_first=walk.kept_first
+    )
     walk.effort -= 1 + before - search.budget
+    if kept:
+        walk.kept_first = True
+        walk.effort += _EARNED
     walk.keep(zeros.branches)
     walk.open.extend(zeros.open)
 
