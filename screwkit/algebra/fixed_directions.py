@@ -80,9 +80,9 @@ def fixed_directions(branch: Branch) -> list[Direction]:
     return found
 
 
-def has_many_directions(branch: Branch) -> bool:
-    """Whether nothing is pending but conditions that fix angles, and several do."""
-    return SEVERAL <= len(branch.pending) == len(fixed_directions(branch))
+def has_directions_alone(branch: Branch) -> bool:
+    """Whether conditions are pending, each of which fixes an angle of its own."""
+    return 2 <= len(branch.pending) == len(fixed_directions(branch))
 
 
 def is_mixed(branch: Branch) -> bool:

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.fixed_directions import has_many_directions
+from screwkit.algebra.fixed_directions import SEVERAL, has_directions_alone
 from screwkit.algebra.search import Search
 from screwkit.kinematics.limb_parts import Parts
 from screwkit.loci.dependence import Dependence, dependent_zeros
@@ -39,11 +39,11 @@ def zeros_either_way(
         What was found, by the way that left nothing undecided if there is one, and
         whether it is the one that keeps angles.
     """
-    if not has_many_directions(branch):
+    if not has_directions_alone(branch):
         return _zeros(branch, limbs, search), False
     kept = replace(branch, directed=True)
     own = replace(search, budget=_KEPT)
-    if kept_first:
+    if kept_first and len(branch.pending) >= SEVERAL:
         found = _zeros(kept, limbs, own)
         return (_zeros(branch, limbs, search), False) if found.open else (found, True)
     solved = _zeros(branch, limbs, search)
