@@ -107,10 +107,10 @@ def _descend(
     if search.deepest is not None and branch.codimension > search.deepest:
         return
     if search.skip(branch):
-        known = _beside_what_is_skipped(branch, polynomials, nonzero, search)
-        if known or not branch.directed:
-            if not known:
-                search.unfinished.append(branch)
+        if _beside_what_is_skipped(branch, polynomials, nonzero, search):
+            return
+        if not branch.directed:
+            search.unfinished.append(branch)
             return
     polynomials = branch.without_roots(polynomials)
     left = still_open(branch, polynomials, search)

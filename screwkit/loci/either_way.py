@@ -41,16 +41,24 @@ def zeros_either_way(
     """
     if not has_directions_alone(branch):
         return _zeros(branch, limbs, search), False
-    kept = replace(branch, directed=True)
-    own = replace(search, budget=_KEPT)
     if kept_first and len(branch.pending) >= SEVERAL:
-        found = _zeros(kept, limbs, own)
+        found = _with_angles_kept(branch, limbs, search)
         return (_zeros(branch, limbs, search), False) if found.open else (found, True)
     solved = _zeros(branch, limbs, search)
     if not solved.open:
         return solved, False
-    found = _zeros(kept, limbs, own)
+    found = _with_angles_kept(branch, limbs, search)
     return (solved, False) if found.open else (found, True)
+
+
+def _with_angles_kept(
+    branch: Branch, limbs: Sequence[Parts], search: Search
+) -> Dependence:
+    """The finds are branches like others, whose angles may be solved."""
+    kept = replace(branch, directed=True)
+    found = _zeros(kept, limbs, replace(search, budget=_KEPT))
+    plain = tuple(replace(part, directed=False) for part in found.branches)
+    return replace(found, branches=plain)
 
 
 def _zeros(branch: Branch, limbs: Sequence[Parts], search: Search) -> Dependence:
