@@ -310,6 +310,16 @@ def test_a_sum_that_touches_zero_has_few_real_zeros() -> None:
     assert restricted(Branch(ring, POSITIVE), never) == []
 
 
+def test_many_angles_are_not_multiplied_out() -> None:
+    """Ten squares of cosines made homogeneous have millions of terms.
+
+    e² − y² is no square where e is the sum of them: at exact points already.
+    """
+    squares = " + ".join(f"u{k}*cos(p{k})^2" for k in range(10))
+    ring, (polynomial,) = polynomials(f"y*sin(q) + {squares}")
+    assert vanishing_together(ring, POSITIVE, polynomial) is None
+
+
 def test_a_factor_in_half_angles_is_kept_with_all_its_equations() -> None:
     """4u(xu³ + v³) with u = sin q/2, v = cos q/2: q = 0, or a cubic in tan q/2."""
     text = "x*(1 - cos(q))^2 + sin(q)*(1 + cos(q))"
