@@ -19,7 +19,6 @@ from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.fixed_directions import fixed_directions, occurs, parted
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import text
-from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.loci.wrench_blocks import block_minors
@@ -101,10 +100,3 @@ def test_a_part_as_large_where_an_angle_is_free_is_seen() -> None:
     assert parts is None or any(
         names <= {text(both.ring, c) for c in part.conditions} for part in parts
     )
-
-
-def test_many_angles_are_not_multiplied_out() -> None:
-    """Ten squares of cosines made homogeneous have millions of terms."""
-    squares = " + ".join(f"u{k}*cos(p{k})^2" for k in range(10))
-    ring, (sum_,) = polynomials(f"y*sin(q) + {squares}")
-    assert vanishing_together(ring, POSITIVE, sum_) is None
