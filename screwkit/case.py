@@ -226,12 +226,18 @@ def load_text(
     actuated: Sequence[str] | None = None,
     variant: str | None = None,
     at: Mapping[str, object] | None = None,
+    *,
+    claims: bool = True,
 ) -> Case:
-    """The case of a mechanism file's text; arguments and errors as of `load`."""
+    """The case of a mechanism file's text; arguments and errors as of `load`.
+
+    ``claims`` tells whether what the file expects will be compared, and so has to be
+    about something that is answered.
+    """
     replaced = frozenset({*(set_values or ()), *(at or ())})
-    mechanism = mechanism_from_text(
-        text, "the text", json, Outside(replaced, _why_no_place)
-    )
+    why_no_place = _why_no_place if claims else _no_fault
+    outside = Outside(replaced, why_no_place)
+    mechanism = mechanism_from_text(text, "the text", json, outside)
     given = Given(set_values or {}, at or {}, variant, actuated)
     return _asked(mechanism, given, None)
 
@@ -252,6 +258,10 @@ def _asked(mechanism: Mechanism, given: Given, path: Path | None) -> Case:
     if given.at:
         mechanism, wanted = placed_at(mechanism, given.at)
     return Case(mechanism, wanted, path, given, unplaced)
+
+
+def _no_fault(_question: str) -> str:
+    return ""
 
 
 def _why_no_place(question: str) -> str:

@@ -361,7 +361,7 @@ def analyze(
     """
     from screwkit.claims import checked_claims  # noqa: PLC0415
     from screwkit.mechanism.description import description  # noqa: PLC0415
-    from screwkit.reports.records import part_to_json  # noqa: PLC0415
+    from screwkit.reports.wire import part_to_json  # noqa: PLC0415
 
     about = description(case.mechanism)
     finished("description", about)

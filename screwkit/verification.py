@@ -178,22 +178,23 @@ def verify(
     from screwkit.case import load_text  # noqa: PLC0415
     from screwkit.certificates.checking import check  # noqa: PLC0415
     from screwkit.certificates.missing_parts import missing_from  # noqa: PLC0415
+    from screwkit.certificates.signs import declared_signs  # noqa: PLC0415
     from screwkit.certificates.texts import RefusedError  # noqa: PLC0415
-    from screwkit.kinematics.assembly import assumptions_of  # noqa: PLC0415
 
     progress("reading the certificate", "")
     document = _read(Path(certificate))
     changes = _changes(document.mechanism)
     try:
-        own = load_text(document.mechanism.text, document.mechanism.json, **changes)
-        carried = own.mechanism
-        assumed = assumptions_in_words(carried, assumptions_of(carried))
+        carried = load_text(
+            document.mechanism.text, document.mechanism.json, claims=False, **changes
+        ).mechanism
     except (MechanismFileError, ScrewkitError) as error:
         reason = f"the mechanism in it cannot be read: {error}"
         return Verification(document.case, "", False, (), reason)
     if case is not None and not _is_about(document.mechanism, carried, case):
         reason = f"it is about another mechanism than {case}"
         return Verification(document.case, carried.title, False, (), reason)
+    assumed = assumptions_in_words(carried, *declared_signs(carried))
     progress("checking", f"{len(document.parts)} parts")
     try:
         found = check(document, carried, secrets.randbits(64))

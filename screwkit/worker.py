@@ -90,14 +90,12 @@ def main() -> None:
 def serve(source: IO[str], send: Callable[[Mapping[str, Any]], None]) -> None:
     """Read a job, send its messages."""
     from screwkit import errors  # noqa: PLC0415
-    from screwkit.reports.wire import encode  # noqa: PLC0415
+    from screwkit.reports.wire import encode, part_to_json  # noqa: PLC0415
 
     try:
         job = job_from_line(source.readline())
         _limit_memory(job.memory)
         result = _answer(job, send)
-        from screwkit.reports.records import part_to_json  # noqa: PLC0415
-
         send({"result": part_to_json(result)})
     except errors.MechanismFileError as error:
         faults = [encode(fault) for fault in error.faults]
@@ -179,7 +177,7 @@ def _answer(job: Job, send: Callable[[Mapping[str, Any]], None]) -> Any:
     from importlib import import_module  # noqa: PLC0415
     from inspect import Parameter, signature  # noqa: PLC0415
 
-    from screwkit.reports.records import part_to_json  # noqa: PLC0415
+    from screwkit.reports.wire import part_to_json  # noqa: PLC0415
 
     def progress(stage: str, size: str = "") -> None:
         send({"progress": {"stage": str(stage), "size": str(size)}})

@@ -22,7 +22,7 @@ from screwkit.questions import (
     screws,
     singularities,
 )
-from screwkit.reports.records import part_to_json
+from screwkit.reports.wire import part_to_json
 
 STATUSES = {"published", "derived", "regression"}
 QUESTIONS: dict[str, Callable[..., Any]] = {

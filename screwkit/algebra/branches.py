@@ -83,14 +83,10 @@ class Branch:
 
     @property
     def codimension(self) -> int:
-        """Each condition was irreducible and not zero on the branch before it."""
-        return len(self.conditions)
+        """Each condition was irreducible and not zero on the branch before it.
 
-    @property
-    def independent(self) -> int:
-        """Its codimension without conditions that could not be solved and are implied.
-
-        With sin θ = 0 and z = 0, imposed later, x·sin θ + z·cos θ = 0 says nothing.
+        Conditions that could not be solved and are implied by later ones do not count:
+        with sin θ = 0 and z = 0, imposed later, x·sin θ + z·cos θ = 0 says nothing.
         """
         return len(self.steps) + len(self.pending)
 

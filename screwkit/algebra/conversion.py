@@ -6,6 +6,8 @@ is spoken of in the ring of all limbs.
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from screwkit.algebra.evaluation import add_angles, multiply_angle
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
@@ -21,9 +23,14 @@ class Conversion:
         self._target = target
         images: dict[str, Polynomial] = {}
         for i, form in enumerate(source.basis):
+            if form[0][0] in source.constant_angles:
+                # A measure of the source need not be one of the target.
+                made_of = source.measures.made_of[Fraction(form[0][0])]
+                angles = [(target.radians(value), count) for value, count in made_of]
+            else:
+                angles = [(target.cosine_sine(name), count) for name, count in form]
             pair = (target.one, target.zero)
-            for name, count in form:
-                angle = target.cosine_sine(name)
+            for angle, count in angles:
                 pair = add_angles(pair, multiply_angle(count, angle, target), target)
             images[f"c{i}"], images[f"s{i}"] = pair
         for i, name in enumerate(source.symbols):

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 
 from flint import nmod, nmod_mat, nmod_poly
 
+from screwkit.algebra.angle_measures import Measures
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.evaluated_modulo import Layout, laid_out
 from screwkit.algebra.evaluation import add_angles, evaluate, multiply_angle
@@ -32,6 +33,7 @@ class PointRing(ModularRing):
         turns: (cos, sin) of the basis angles.
         numbers: Values of symbols.
         constants_of: Another point mod the same prime, whose constants serve here too.
+        measures: Of the constant angles; those in ``declared``.
 
     Attributes:
         sheet: Which of several solutions are taken at this point, bit by bit.
@@ -45,8 +47,9 @@ class PointRing(ModularRing):
         turns: Sequence[Turn],
         numbers: Mapping[str, Residue],
         constants_of: PointRing | None = None,
+        measures: Measures | None = None,
     ) -> None:
-        super().__init__(0, prime, constants)
+        super().__init__(0, prime, constants, measures)
         self.sheet = 0
         if constants_of is not None:
             self._generators = constants_of._generators

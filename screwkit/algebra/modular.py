@@ -16,7 +16,9 @@ from typing import Any, Final, TypeAlias
 
 from flint import fmpz, nmod, nmod_mat, nmod_poly
 
+from screwkit.algebra.angle_measures import Measures
 from screwkit.algebra.constants import Combination, ConstantField
+from screwkit.algebra.evaluation import add_angles, multiply_angle
 from screwkit.algebra.expression import Expression
 from screwkit.algebra.rational_values import rational_value
 from screwkit.algebra.ring import Known
@@ -25,6 +27,7 @@ Residue: TypeAlias = Any  # flint.nmod, which has no type stubs
 
 LARGEST = 2**61 - 1
 _USUAL = ConstantField.needed_by([], 12)
+_ALONE = Measures()
 
 
 class ResampleError(Exception):
@@ -49,6 +52,7 @@ class ModularRing:
         zero, one: 0 and 1 mod p.
         plain: See `Ring`.
         known: See `Ring`.
+        measures: Of constant angles; one that is not among them has a value of its own.
     """
 
     plain: Final = True
@@ -58,9 +62,11 @@ class ModularRing:
         seed: int = 0,
         prime: int = LARGEST,
         constants: ConstantField | None = None,
+        measures: Measures | None = None,
     ) -> None:
         self.prime = prime
         self.constants = constants or _USUAL
+        self.measures = measures or _ALONE
         self._seed = seed
         self._symbols: dict[str, Residue] = {}
         self._angles: dict[str, tuple[Residue, Residue]] = {}
@@ -110,11 +116,14 @@ class ModularRing:
         return self._turns[count]
 
     def radians(self, value: Fraction) -> tuple[Residue, Residue]:
-        """A transcendental constant: drawn like a free angle."""
-        if not value:
-            return self.one, self.zero
-        cosine, sine = self.cosine_sine(str(abs(value)))
-        return cosine, sine if value > 0 else -sine
+        """A transcendental constant: its measures are drawn like free angles."""
+        pair = self.one, self.zero
+        size = abs(value)
+        for measure, count in self.measures.of.get(size, ((size, 1),)) if value else ():
+            own = self.cosine_sine(str(measure))
+            turned = multiply_angle(count if value > 0 else -count, own, self)
+            pair = add_angles(pair, turned, self)
+        return pair
 
     def square_root(self, radicand: Expression, value: Residue) -> Residue:
         """A square root mod p, always the same one for the same radicand.

@@ -54,6 +54,7 @@ def real_point(
     given: Mapping[str, Fraction],
     seed: int,
     apart: Sequence[Sequence[Polynomial]] = (),
+    equations: Sequence[Polynomial] = (),
 ) -> RealPoint | None:
     """A real point of a branch near which its conditions are independent.
 
@@ -62,6 +63,8 @@ def real_point(
         given: Values of symbols that are held, exactly.
         seed: Of the random starts.
         apart: Equations of sets that the point must not lie on.
+        equations: That vanish on all of the branch, and not on other sets of common
+            zeros of its conditions.
 
     Returns:
         None where none was found; that proves nothing.
@@ -69,7 +72,7 @@ def real_point(
     ring = branch.ring
     if ring.constant_angles:
         return None
-    system = _System(branch, given)
+    system = _System(branch, given, equations)
     source = random.Random(seed)
     for _ in range(STARTS):
         start = _start(ring, given, source)
@@ -84,7 +87,12 @@ def real_point(
 class _System:
     """The conditions of a branch with the relations of its ring."""
 
-    def __init__(self, branch: Branch, given: Mapping[str, Fraction]) -> None:
+    def __init__(
+        self,
+        branch: Branch,
+        given: Mapping[str, Fraction],
+        vanishing: Sequence[Polynomial],
+    ) -> None:
         ring = branch.ring
         self._ring = ring
         gens = ring.context.gens()
@@ -113,7 +121,8 @@ class _System:
             for e in equations
         ]
         kept = {str(sheet) for sheet in branch.sheets}
-        self._checks = [_monomials(e) for e in branch.equations(kept)]
+        checks = [*branch.equations(kept), *vanishing]
+        self._checks = [_monomials(e) for e in checks]
         # A condition was made free of divisors: where they vanish it says nothing.
         self._divisors = [
             _monomials(step.divisor)

@@ -43,12 +43,14 @@ class Combination:
     """A sum of multiples of conditions.
 
     Attributes:
-        value: The sum; not zero.
+        value: The sum; not zero, unless it is a remainder that was asked for.
         times: By condition, what it is multiplied with; 0 where it is not needed.
+        about: Of a remainder: number of the condition that was divided.
     """
 
     value: Polynomial
     times: tuple[Polynomial, ...]
+    about: int = -1
 
 
 def equal_leads(
@@ -72,15 +74,24 @@ def equal_leads(
 
 
 def without_symbols(
-    ring: TrigonometricRing, conditions: Sequence[Polynomial]
+    ring: TrigonometricRing,
+    conditions: Sequence[Polynomial],
+    usable: Callable[[int, Polynomial], bool] | None = None,
 ) -> Iterator[Combination]:
-    """Conditions without a symbol that another one is linear in, by pseudo-division."""
+    """Conditions without a symbol that another one is linear in, by pseudo-division.
+
+    Args:
+        ring: Of the conditions.
+        conditions: The conditions.
+        usable: Whether to divide, by the index of the symbol and its coefficient; by
+            default where that is short.  If it is given remainders may be 0.
+    """
     for one, condition in enumerate(conditions):
         for index in ring.symbol_indices():
             if condition.degrees()[index] != 1:
                 continue
             lead, _ = linear_parts(ring, condition, index)
-            if len(lead) > SHORT:
+            if len(lead) > SHORT or (usable and not usable(index, lead)):
                 continue
             for two, other in enumerate(conditions):
                 if two == one or not other.degrees()[index]:
@@ -95,8 +106,8 @@ def without_symbols(
                     rest = ring.normal(lead * rest - factor * condition)
                     if len(rest) > LONGEST:
                         break
-                if rest != 0 and not rest.degrees()[index]:
-                    yield Combination(rest, tuple(times))
+                if (rest != 0 or usable) and not rest.degrees()[index]:
+                    yield Combination(rest, tuple(times), two)
 
 
 def sums_by_elimination(

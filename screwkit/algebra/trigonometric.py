@@ -22,6 +22,7 @@ from typing import Any, Final, TypeAlias
 from flint import Ordering, fmpq, fmpq_mpoly_ctx, fmpq_poly
 
 from screwkit.algebra.angle_basis import AngleForm, inverse_forms
+from screwkit.algebra.angle_measures import common_measures
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.evaluation import add_angles, evaluate, multiply_angle
 from screwkit.algebra.expression import Expression, Number
@@ -57,6 +58,7 @@ class TrigonometricRing:
     Attributes:
         basis: The basis angles as integer combinations of declared angles.
         symbols: The symbols that occur as numbers.
+        measures: Of the rational numbers of radians; the last basis angles.
         extensions: Square roots and inverses of symbolic quantities.
         context: The FLINT context all polynomials of this ring live in.
         plain: See `Ring`.
@@ -69,8 +71,8 @@ class TrigonometricRing:
     ) -> None:
         angles = [*survey.angles]
         self.basis = tuple(plain_basis(angles) if basis is None else basis)
-        self._rational_angles = tuple(survey.constant_angles)
-        self.basis += tuple(((str(angle), 1),) for angle in self._rational_angles)
+        self.measures = common_measures(survey.constant_angles)
+        self.basis += tuple(((str(angle), 1),) for angle in self.measures.values)
         self.symbols = tuple(survey.symbols)
         self._constants = ConstantField.needed_by(
             [r.value for r in survey.roots if isinstance(r, Number)], survey.turn
@@ -93,6 +95,7 @@ class TrigonometricRing:
         self._gens = gens
         self._zero = self.context.constant(0)
         self._turns: dict[Fraction, tuple[Polynomial, Polynomial]] = {}
+        self._constant_angles: dict[Fraction, tuple[Polynomial, Polynomial]] = {}
         self._one = self.context.constant(1)
         self.sines = tuple(gens[f"s{i}"] for i in range(count))
         self.cosines = tuple(gens[f"c{i}"] for i in range(count))
@@ -180,11 +183,15 @@ class TrigonometricRing:
         return self._turns[count]
 
     def radians(self, value: Fraction) -> tuple[Polynomial, Polynomial]:
-        """(cos, sin) of a rational angle: transcendental, hence a generator."""
-        if not value:
-            return self._one, self._zero
-        cosine, sine = self._angle_pairs[str(abs(value))]
-        return cosine, sine if value > 0 else -sine
+        """(cos, sin) of a rational angle: transcendental, hence by generators."""
+        if value not in self._constant_angles:
+            pair = self._one, self._zero
+            for measure, count in self.measures.of[abs(value)] if value else ():
+                own = self._angle_pairs[str(measure)]
+                turned = multiply_angle(count if value > 0 else -count, own, self)
+                pair = add_angles(pair, turned, self)
+            self._constant_angles[value] = pair
+        return self._constant_angles[value]
 
     def square_root(self, radicand: Expression, value: Polynomial) -> Polynomial:
         """A rational, an algebraic number or the generator of this root."""
@@ -244,7 +251,7 @@ class TrigonometricRing:
     @property
     def constant_angles(self) -> tuple[str, ...]:
         """Names of the basis angles that are rational numbers of radians."""
-        return tuple(str(angle) for angle in self._rational_angles)
+        return tuple(str(angle) for angle in self.measures.values)
 
     @cached_property
     def algebraic_relations(

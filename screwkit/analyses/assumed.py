@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from typing import TYPE_CHECKING
 
-from screwkit.algebra.assumptions import Assumptions
-from screwkit.algebra.factor_library import FactorLibrary
-from screwkit.algebra.polynomial_text import equation_text
-from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.mechanism.model import Mechanism
+
+if TYPE_CHECKING:
+    from screwkit.algebra.factor_library import FactorLibrary
+    from screwkit.algebra.trigonometric import TrigonometricRing
 
 
 def assumptions_in_words(
-    mechanism: Mechanism, declared: Assumptions
+    mechanism: Mechanism, positive: Collection[str], nonzero: Collection[str]
 ) -> tuple[str, ...]:
-    """The signs that a file declares, and that its dimensions are not special."""
-    words = [f"{name} > 0" for name in sorted(declared.positive)]
-    words += [f"{name} ≠ 0" for name in sorted(declared.nonzero - declared.positive)]
+    """The signs that are declared, and that the dimensions are not special.
+
+    Args:
+        mechanism: Whose symbols these are.
+        positive: Symbols that are positive.
+        nonzero: Symbols that are not 0, those among them.
+    """
+    words = [f"{name} > 0" for name in sorted(positive)]
+    words += [f"{name} ≠ 0" for name in sorted({*nonzero} - {*positive})]
     parameters = [p.name for p in mechanism.parameters if not p.free]
     if parameters:
         words.append(
@@ -36,6 +43,8 @@ def unsplit(
         libraries: The factors met, by ring.
         listed: The equations of an answer.
     """
+    from screwkit.algebra.polynomial_text import equation_text  # noqa: PLC0415
+
     lengths = {
         equation_text(ring, factor.polynomial): len(factor.polynomial)
         for ring, library in libraries.items()

@@ -109,6 +109,7 @@ def _limb(limb: WholeGraph, name: str) -> LimbSingularities:
             limb.root,
             limb.library,
             meanings,
+            locus.pieces,
             rank=state_on(limb, piece.branches).platform_freedom,
             dimension=_size(limb),
         )

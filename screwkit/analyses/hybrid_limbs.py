@@ -76,6 +76,7 @@ def hybrid_limb(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
             root,
             library,
             meanings,
+            found.exact.pieces,
             rank=dimension(piece),
             dimension=assembly.dimension,
         )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factor_library import FactorLibrary
@@ -43,7 +43,7 @@ def component_of(
         geometry = words(simpler)
     return Component(
         equations=equations_of(simpler),
-        codimension=piece.independent,
+        codimension=piece.codimension,
         solutions=all_solutions(simpler),
         solved=solved_equations(simpler),
         rank=rank,
@@ -54,11 +54,26 @@ def component_of(
     )
 
 
+def among(
+    listed: Sequence[Piece],
+    piece: Piece,
+    find: Callable[[Piece, Sequence[Piece]], str | None],
+) -> Callable[[Piece], str | None]:
+    """What a piece means, which may be written by other equations in its list."""
+
+    def words(written: Piece) -> str | None:
+        others = [written if other is piece else other for other in listed]
+        return find(written, others)
+
+    return words
+
+
 def limb_component(
     piece: Piece,
     root: Branch,
     library: FactorLibrary,
     meanings: Meanings | None,
+    listed: Sequence[Piece],
     *,
     rank: int,
     dimension: int,
@@ -70,6 +85,7 @@ def limb_component(
         root: The whole configuration space.
         library: Factors met before.
         meanings: Of the limb's frame; None where no sentence is looked for.
+        listed: All pieces of the locus.
         rank: Of its twists there.
         dimension: Coordinates of a twist that count.
     """
@@ -77,7 +93,7 @@ def limb_component(
         piece,
         root,
         library,
-        meanings.of_limb if meanings else None,
+        among(listed, piece, meanings.of_limb) if meanings else None,
         rank=rank,
         wrench_dimension=dimension - rank,
     )

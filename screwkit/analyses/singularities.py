@@ -16,7 +16,11 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.analyses.actuation_parts import actuation_parts
 from screwkit.analyses.hybrid_limbs import hybrid_limb, strata_of
-from screwkit.analyses.one_component import component_of, limb_component
+from screwkit.analyses.one_component import (
+    among,
+    component_of,
+    limb_component,
+)
 from screwkit.analyses.superbracket import superbracket
 from screwkit.analyses.unexpanded import six_lines_in_words
 from screwkit.analyses.whole_singularities import put_together
@@ -118,8 +122,7 @@ def singularities(
 def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
     """Where the twists of one limb lose rank."""
     framed = assembly.limb_twists[limb.name]
-    ring = framed.ring
-    root, library = assembly.root(ring), assembly.library(ring)
+    root, library = assembly.root(framed.ring), assembly.library(framed.ring)
     columns = [framed.column(joint) for joint in limb.joints]
     found = limb_pieces(assembly, limb, [root])
     pieces = _in_order(found.exact.pieces)
@@ -131,6 +134,7 @@ def limb_singularities(assembly: Assembly, limb: LimbChain) -> LimbSingularities
             root,
             library,
             meanings,
+            pieces,
             rank=rank_on(piece, columns),
             dimension=assembly.dimension,
         )
@@ -262,7 +266,9 @@ def constraint_singularities(
                 piece,
                 root,
                 library,
-                partial(_meaning, names, piece, ordered, before) if names else None,
+                among(ordered, piece, partial(names.each_of, before=before))
+                if names
+                else None,
                 state_on(piece, limbs),
                 assembly.dimension,
             )
@@ -325,18 +331,6 @@ def _constraint_proof(drop: LoopDrop) -> str:
         "every pattern of regular and singular limbs was searched: on each, the joint "
         "Plücker coordinates of the limbs' wrench systems vanish only there"
     )
-
-
-def _meaning(
-    meanings: Meanings,
-    piece: Piece,
-    listed: Sequence[Piece],
-    before: int,
-    written: Piece,
-) -> str | None:
-    """A sentence for a piece of a list, by other equations of the same piece."""
-    others = [written if other is piece else other for other in listed]
-    return meanings.each_of(written, others, before)
 
 
 def _constraint_component(

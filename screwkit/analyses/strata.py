@@ -272,7 +272,7 @@ class _Stratification:
     ) -> RealPoint | None:
         given = dict(_dimensions(self._states.mechanism))
         for number, branch in enumerate(piece.branches[:4]):
-            found = real_point(branch, given, number, apart)
+            found = real_point(branch, given, number, apart, piece.equations)
             if found is not None:
                 return found
         return None

@@ -51,7 +51,7 @@ def put_together(
         constraint=constraint,
         actuation=actuation,
         assumptions=(
-            *assumptions_in_words(mechanism, assumptions),
+            *assumptions_in_words(mechanism, assumptions.positive, assumptions.nonzero),
             *unsplit(libraries, listed),
         ),
         platform_name=mechanism.platform,

@@ -21,7 +21,7 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.certificates.checking import checked
 from screwkit.certificates.conditions import Problem
-from screwkit.certificates.covers import cover_of
+from screwkit.certificates.covered_components import with_covers
 from screwkit.certificates.derivation import proof_of
 from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.real_postures import RealPostures, sides_of
@@ -33,6 +33,7 @@ from screwkit.certificates.records import (
     Source,
 )
 from screwkit.certificates.roots import NotProvedError, roots_of
+from screwkit.certificates.sheet_trials import SheetTrials
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.steps import written_step
 from screwkit.certificates.subjects import Subject, of_graph, of_limb, of_loops
@@ -196,7 +197,9 @@ class PartDerivation:
                 return self._by_search(part, loci, asks_limbs=True)
         with suppress(NotProvedError, RefusedError):
             return self._by_search(part, loci)
-        return self._by_search(part, loci, late=True)
+        with suppress(NotProvedError, RefusedError):
+            return self._by_search(part, loci, late=True)
+        return self._by_search(part, loci, late=True, sheets=True)
 
     def _by_search(
         self,
@@ -205,9 +208,12 @@ class PartDerivation:
         *,
         asks_limbs: bool = False,
         late: bool = False,
+        sheets: bool = False,
     ) -> Part:
         problem = self._problem(loci, part.question)
-        proof = proof_of(problem, asks_limbs=asks_limbs, late=late)
+        bare = replace(part, proof=None)
+        trials = SheetTrials(self._subject.mechanism, bare) if sheets else None
+        proof = proof_of(problem, asks_limbs=asks_limbs, late=late, trials=trials)
         return self._examined(replace(part, proof=proof))
 
     def _examined(self, part: Part) -> Part:
@@ -291,7 +297,7 @@ class PartDerivation:
         return self._root.points
 
     def _polynomials(self, component: Component) -> tuple[Polynomial, ...]:
-        return tuple(evaluate(read(e), self._ring) for e in component.equations)
+        return self._read(component.equations)
 
     def _locus(self, component: Component, equations: tuple[Polynomial, ...]) -> Locus:
         branches = self._branches(equations, component.codimension)
@@ -310,24 +316,12 @@ class PartDerivation:
         return sides_of(self._real, locus, random.Random(11))
 
     def _covered(self, part: Part) -> Part:
-        """With trees to all sheets of several equations, where they are found."""
-        components = tuple(self._with_cover(part, own) for own in part.components)
-        idle = tuple(self._with_cover(part, own, idle=True) for own in part.idle)
-        return replace(part, components=components, idle=idle)
-
-    def _with_cover(self, part: Part, locus: Locus, *, idle: bool = False) -> Locus:
-        if len(locus.equations) < 2:
-            return locus
+        """With trees to all sheets of components, where they are found."""
         problem = self._problem((), "constraint")
-        equations = tuple(evaluate(read(e), self._ring) for e in locus.equations)
-        found = replace(locus, cover=cover_of(problem, equations, whole=True))
-        if found.cover is not None:
-            alone = replace(part, components=() if idle else (found,))
-            alone = replace(alone, idle=(found,) if idle else (), proof=None)
-            with suppress(RefusedError):
-                checked(self._subject.mechanism, alone, "written")
-                return found
-        return replace(locus, cover=cover_of(problem, equations, whole=False))
+        return with_covers(self._subject.mechanism, part, problem, self._read)
+
+    def _read(self, equations: Sequence[str]) -> tuple[Polynomial, ...]:
+        return tuple(evaluate(read(e), self._ring) for e in equations)
 
     def _branches(
         self, equations: tuple[Polynomial, ...], codimension: int

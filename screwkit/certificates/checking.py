@@ -19,6 +19,7 @@ from screwkit.algebra.expression_building import symbols_of
 from screwkit.algebra.modular import ResampleError
 from screwkit.certificates.claimed_loci import ClaimedLoci
 from screwkit.certificates.closed_postures import ClosedPostures
+from screwkit.certificates.coefficients import Coefficients
 from screwkit.certificates.findings import Findings, name_of
 from screwkit.certificates.general_claims import GeneralClaims
 from screwkit.certificates.graph_matrix import GraphMatrix
@@ -39,7 +40,7 @@ from screwkit.certificates.records import (
 from screwkit.certificates.scheme_claims import check_schemes
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.sheets import Sheets
-from screwkit.certificates.signs import Signs
+from screwkit.certificates.signs import Signs, declared_signs
 from screwkit.certificates.solutions import Solutions
 from screwkit.certificates.texts import NoPostureError, RefusedError, read
 from screwkit.certificates.towers import Towers
@@ -100,7 +101,7 @@ def checked(
     for attempt in range(ATTEMPTS):
         source = random.Random(f"{seed}/{attempt}")
         try:
-            return _PartCheck(mechanism, part, source, others).all()
+            return PartCheck(mechanism, part, source, others).all()
         except ResampleError:
             continue
         except NoPostureError as refusal:  # nor, perhaps, modulo this prime alone
@@ -112,7 +113,7 @@ def checked(
     raise missing
 
 
-class _PartCheck:
+class PartCheck:
     """One part of a certificate under examination."""
 
     def __init__(
@@ -129,14 +130,10 @@ class _PartCheck:
             self._matrix = GraphMatrix(self._postures)
         else:
             self._matrix = ScrewMatrix(self._postures)
-        own = mechanism.parameters
-        self._signs = Signs(
-            {p.name for p in own if p.positive},
-            {p.name for p in own if p.positive or p.nonzero},
-        )
-        self._dimensions = {p.name for p in own if not p.free}
+        self._signs = Signs(*declared_signs(mechanism))
+        self._dimensions = {p.name for p in mechanism.parameters if not p.free}
         self._sheets = Sheets(self._postures, source)
-        self._general = GeneralClaims(
+        self.general = GeneralClaims(
             self._postures,
             self._matrix,
             self._sheets,
@@ -147,9 +144,10 @@ class _PartCheck:
         self._products = Products(self._postures, self._matrix, self._limbs)
         self._solutions = Solutions(self._postures, self._signs)
         self._closed = ClosedPostures(mechanism, self._postures)
-        towers = Towers(self._postures, self._sheets, self._solutions)
-        self._loci = ClaimedLoci(
-            self._matrix, self._sheets, towers, self._closed, self._general
+        known = Coefficients(self._postures, source)
+        towers = Towers(self._postures, self._sheets, known)
+        self.loci = ClaimedLoci(
+            self._matrix, self._sheets, towers, self._closed, self.general
         )
         self._real = RealPostures(
             self._postures.declared,
@@ -171,7 +169,7 @@ class _PartCheck:
             raise RefusedError("only actuation locks joints")
         all_plain(part, self._postures, self._signs)
         self._closed.demanded()
-        loci = self._loci
+        loci = self.loci
         loci.generic()
         real = []
         for number, locus in enumerate((*part.components, *part.idle)):
@@ -191,7 +189,7 @@ class _PartCheck:
             tuple(loci.irreducible),
             tuple(real),
             tuple(loci.sampled),
-            tuple(self._general.sampled),
+            tuple(self.general.sampled),
         )
 
     def _is_everywhere(self) -> bool:
@@ -203,19 +201,22 @@ class _PartCheck:
 
     def _cover(self, locus: Locus) -> None:
         """Meet all sheets of a component, by a tree of its own where there is one."""
+        loci = self.loci
         if len(locus.equations) == 1:
-            self._loci.equation(locus)
-        elif locus.cover is None or self._postures.tied:
-            self._loci.sampled[locus.equations] = None
+            loci.equation(locus)
             if not self._postures.tied:
-                self._loci.unseen(locus)
-        else:
-            self._covered = locus
-            self._node(locus.cover, Way(conditions=locus.equations))
-            self._loci.covered(locus, locus.cover)
-            self._covered = None
-            self._finished.clear()
-            self._met.clear()
+                return
+        if locus.cover is None:
+            loci.sampled[locus.equations] = None
+            loci.unseen(locus)
+            return
+        self._covered = locus
+        start = (*self._closed.conditions, *locus.equations)
+        self._node(locus.cover, Way(conditions=start))
+        loci.covered(locus, locus.cover)
+        self._covered = None
+        self._finished.clear()
+        self._met.clear()
 
     # -- the tree --------------------------------------------------------------------
 
@@ -233,17 +234,18 @@ class _PartCheck:
 
     def _examined(self, node: Node, way: Way) -> None:
         if self._covered is not None and (
-            node.component >= 0 or node.columns or node.limbs
+            node.columns or node.limbs or not self.loci.is_known(node.component)
         ):
             raise RefusedError("it says nothing about a component's own postures")
         if node.sheet:
             if self._covered is None:
-                raise RefusedError("nothing is said of it")
-            self._loci.sheet(self._covered, way, node)
+                self.loci.on_components(node, way)
+            else:
+                self.loci.sheet(self._covered, way, node)
             for case in node.cases:
                 self._case(case, way)
         elif node.small:
-            self._loci.small(self._covered, way)
+            self.loci.small(self._covered, way)
         elif node.component >= 0:
             self._on_component(node, way)
         elif node.earlier >= 0:
@@ -253,7 +255,7 @@ class _PartCheck:
         elif node.vanishing:
             self._vanishing(node.vanishing, way)
         elif node.special:
-            self._general.special(node, way)
+            self.general.special(node, way)
         elif node.impossible >= 0:
             self._impossible(node, way)
         else:
@@ -261,7 +263,7 @@ class _PartCheck:
                 self._limbs.check(node, way)
             self._products.check(node, way, self._size_of(node))
             if self._smaller_ones and is_minor(node):
-                self._general.bounded(node, way, max(0, self._loci.freedom))
+                self.general.bounded(node, way, max(0, self.loci.freedom))
             for equations, fallen in self._limbs.fallen(node):
                 conditions = (*way.conditions, *equations)
                 self._node(fallen, replace(way, conditions=conditions))
@@ -351,7 +353,7 @@ class _PartCheck:
     @property
     def _smaller_ones(self) -> bool:
         """Whether the locus is not simply where the rank of the matrix falls."""
-        return self._part.question == "actuation" or self._loci.freedom >= 0
+        return self._part.question == "actuation" or self.loci.freedom >= 0
 
     # -- cases -----------------------------------------------------------------------
 

@@ -19,7 +19,7 @@ from screwkit.certificates.records import Locus, Node
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.texts import RefusedError, read
-from screwkit.certificates.towers import Towers
+from screwkit.certificates.towers import Towers, members
 
 
 class ClaimedLoci:
@@ -50,6 +50,8 @@ class ClaimedLoci:
         self._products: set[tuple[str, ...]] = set()
         self.sampled: dict[tuple[str, ...], None] = {}
         """Equations of components that may hold at other postures too."""
+        self._looked_at: set[tuple[str, ...]] = set()
+        """Those that were shown to hold at singular postures alone."""
         self._cased: set[tuple[str, ...]] = set()
         """Those whose trees have sheets that need be none of the component's own."""
         self.irreducible: dict[tuple[str, ...], None] = {}
@@ -72,6 +74,13 @@ class ClaimedLoci:
         if isinstance(self._matrix, GraphMatrix) and self._matrix.is_held:
             self.freedom = rank - max(map(self._matrix.loop_rank, points))
 
+    def is_known(self, number: int) -> bool:
+        """Whether the component of a number was met on all sheets; of none, too."""
+        if number < 0:
+            return True
+        found = self._part.components[number : number + 1]
+        return any(own.equations in self._looked_at for own in found)
+
     def component(self, locus: Locus, *, moves: bool) -> None:
         """Check that postures are on a component, and what the rank is there.
 
@@ -88,7 +97,9 @@ class ClaimedLoci:
             if any(point.value(read(text)) != 0 for text in locus.equations):
                 raise RefusedError("its postures do not satisfy its equations")
         seen = self._seen.pop(locus.equations, [])
-        if not seen or locus.equations in self.sampled:
+        if locus.equations not in self.sampled:
+            self._looked_at.add(locus.equations)
+        if not seen or locus.equations in self.sampled or self._postures.tied:
             seen += [self._numbers(point) for point in self._points_of(locus)]
         ranks = [rank for rank, _ in seen]
         freedoms = [own for _, own in seen if own is not None]
@@ -106,6 +117,8 @@ class ClaimedLoci:
     def equation(self, locus: Locus) -> None:
         """Look at all sheets of a component of one equation.
 
+        Where loops tie joint variables it is not the only one: see `sheet`.
+
         Raises:
             RefusedError: If it is a product.
         """
@@ -114,7 +127,6 @@ class ClaimedLoci:
         if shape is Shape.PRODUCT:
             raise RefusedError("its equation is a product")
         if self._postures.tied:  # closed postures on it may still fall apart
-            self.sampled[locus.equations] = None
             return
         if shape is Shape.IRREDUCIBLE:
             self.irreducible[locus.equations] = None
@@ -137,22 +149,20 @@ class ClaimedLoci:
             self.sampled[locus.equations] = None
 
     def _all_sheets(self, locus: Locus, way: Way, node: Node) -> None:
-        texts = tuple(own.equation for own in node.roots)
+        texts = tuple(e.equation for own in node.roots for e in members(own))
 
         def judged(at: PointRing, there: PointRing) -> tuple[int, int | None] | bool:
-            return self._judged(locus, way, replace(way, conditions=texts), at, there)
+            return self._judged(locus, way, texts, at, there)
 
         if node.roots:
-            self._note(locus, self._towers.on(way, node.roots, judged))
+            if not self._is_small(locus, way, len(texts)):
+                self._note(locus, self._towers.on(way, node.roots, judged))
             return
         active = self._sheets.active(way)
         texts = active
-        if len(active) > 1:
+        if len(active) > 1 or self._postures.tied:
             self._cased.add(locus.equations)
             texts = tuple(own for own in active if self._is_all(own, way))[:1]
-            if not texts:
-                self.sampled[locus.equations] = None
-                return
         text = next(iter(texts), None)
         if text and shape_of(self._sheets, text, way) is not Shape.IRREDUCIBLE:
             self._products.add(locus.equations)
@@ -160,6 +170,35 @@ class ClaimedLoci:
             self._note(locus, self._sheets.on(way, text, judged))
         else:
             self._look(locus, way, text)
+
+    def _is_small(self, locus: Locus, way: Way, conditions: int) -> bool:
+        """Whether so many conditions leave fewer dimensions than a component has.
+
+        They are independent of each other and of the steps.  A component of what k
+        equations cut out has n − k at least (Krull).
+        """
+        started_with = len(locus.equations) + len(self._closed.conditions)
+        return len(way.steps) + conditions > started_with
+
+    def on_components(self, node: Node, way: Way) -> None:
+        """Check that each sheet of a way in a proof lies on a component.
+
+        Raises:
+            RefusedError: If one may not.
+        """
+        if not node.roots:
+            raise RefusedError("nothing is said of it")
+        self._towers.check(node, way)
+        met = tuple(e.equation for own in node.roots for e in members(own))
+
+        def placed(at: PointRing, there: PointRing) -> bool:
+            return any(
+                all(vanishes(there.value(read(text))) for text in own.equations)
+                for own in self._part.components
+            ) or self._general.is_tied(at, replace(way, conditions=met))
+
+        if not all(self._towers.on(way, node.roots, placed)):
+            raise RefusedError("some of it lies on no component")
 
     def small(self, locus: Locus | None, way: Way) -> None:
         """Check that a way has fewer dimensions than n − k, for k equations.
@@ -173,10 +212,9 @@ class ClaimedLoci:
         if locus is None:
             raise RefusedError("it says nothing about a proof")
         points = [self._postures.moved(b, way) for b in self._sheets.choices(way)]
-        solved, conditions = len(way.steps), [read(text) for text in way.conditions]
-        if all(any(x.value(own) != 0 for own in conditions) for x in points):
-            solved += 1
-        if solved <= len(locus.equations):
+        conditions = [read(text) for text in way.conditions]
+        more = all(any(x.value(own) != 0 for own in conditions) for x in points)
+        if not self._is_small(locus, way, int(more)):
             raise RefusedError("it may be a sheet of the component")
 
     def _is_all(self, text: str, way: Way) -> bool:
@@ -189,33 +227,59 @@ class ClaimedLoci:
         return all(self._sheets.on(way, text, hold))
 
     def _judged(
-        self, locus: Locus, way: Way, wider: Way, at: PointRing, there: PointRing
+        self,
+        locus: Locus,
+        way: Way,
+        met: tuple[str, ...],
+        at: PointRing,
+        there: PointRing,
     ) -> tuple[int, int | None] | bool:
         """What is seen at a posture, if it is as on the component; if the sheet counts.
 
-        Where dimensions are tied nothing is said; where equations of the component do
-        not hold, or it is not clear whether the posture is near singular ones, False.
+        Where dimensions are tied nothing is said.  Where conditions of the way do not
+        hold the sheet is cut by one more, which may leave too few dimensions; and where
+        the rank of the matrix falls all over it, it does so on what is cut out.  Else,
+        or where it is not clear whether the posture is near singular ones, False.
 
         Args:
             locus: The component.
             way: To the sheet.
-            wider: With the conditions that were met.
+            met: The conditions that were met.
             at: The posture before the steps.
             there: The posture.
 
         Raises:
             RefusedError: If it is a regular posture.
         """
-        if self._general.is_tied(at, wider):
+        seen = self._seen_at(locus, way, len(met), there)
+        if seen is not None and seen is not False:
+            return seen
+        if self._general.is_tied(at, replace(way, conditions=met)):
             return True
+        if seen is None:
+            raise RefusedError(f"the rank on it is {self._part.rank}, as in general")
+        return False
+
+    def _seen_at(
+        self, locus: Locus, way: Way, met: int, there: PointRing
+    ) -> tuple[int, int | None] | bool | None:
+        """What is seen at a posture, whatever its dimensions; None if it is regular."""
+        question = self._part.question
+        moves = question == "actuation" and locus.freedom > 0
         if not all(vanishes(there.value(read(text))) for text in way.conditions):
-            return False
+            if self._is_small(locus, way, met + 1):
+                return True
+            falls = self._matrix.rank(there) < self._part.rank
+            return falls and not moves and self.freedom < 0
         rank, freedom = self._numbers(there)
+        if self._postures.tied and (not moves or not self._closed.closes(there)):
+            # what falls all over a wider set does so where loops close
+            return rank < self._part.rank and not moves
         if rank >= self._part.rank:
-            raise RefusedError(f"the rank on it is {rank}, as in general")
+            return None
         if rank == locus.rank and freedom in (None, locus.freedom):
             return rank, freedom
-        if freedom is not None and self._part.question == "actuation":
+        if freedom is not None and question == "actuation":
             return freedom > 0 or locus.freedom == 0
         return freedom is None or self.freedom < 0 or freedom < self.freedom
 
@@ -228,12 +292,23 @@ class ClaimedLoci:
             elif own is not True:
                 self._seen.setdefault(locus.equations, []).append(own)
 
+    def count(self, locus: Locus) -> int:
+        """How often a component was seen as it is claimed to be."""
+        return len(self._seen.get(locus.equations, ()))
+
+    def forget(self, locus: Locus) -> None:
+        """Begin anew with a component."""
+        self._seen.pop(locus.equations, None)
+        self.sampled.pop(locus.equations, None)
+
     def unseen(self, locus: Locus) -> None:
         """Look where two coordinates are 0 for regular postures on a component.
 
         Raises:
             RefusedError: If one is found there.
         """
+        if self._postures.tied:
+            return
         free = {*self._postures.symbols} - self._general.fixed - {"pi"}
         texts = [read(text) for text in locus.equations]
         for names in combinations(sorted(free), 2):
@@ -251,6 +326,8 @@ class ClaimedLoci:
         if locus.equations in self.sampled:
             self.unseen(locus)
         left = self._products | self._cased | {*self.sampled}
+        if self._postures.tied:
+            return
         if locus.equations not in left and _has_one_case(cover):
             self.irreducible[locus.equations] = None
 

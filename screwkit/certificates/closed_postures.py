@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
 
+from screwkit.algebra.all_roots import vanishes
 from screwkit.algebra.exact_point import PointRing
 from screwkit.certificates.postures import POINTS, Postures, Way
 from screwkit.certificates.records import Unsolved
@@ -61,6 +62,14 @@ class ClosedPostures:
     def is_closed(self, point: PointRing) -> bool:
         """Whether all loops close at a posture."""
         return not (self._postures.tied and closing_demands(self._mechanism, point))
+
+    def closes(self, point: PointRing) -> bool:
+        """As `is_closed`, at all roots at once.
+
+        Raises:
+            SplitError: If loops close at some of them alone.
+        """
+        return all(map(vanishes, closing_demands(self._mechanism, point)))
 
     def in_general(self) -> list[PointRing]:
         """Closed postures that the part gives.

@@ -13,8 +13,9 @@ import random
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
+from itertools import islice
 
-from screwkit.algebra.branches import without
+from screwkit.algebra.branches import Pending, without
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.points import Point
 from screwkit.algebra.polynomial_text import text
@@ -26,10 +27,13 @@ from screwkit.certificates.conditions import (
     with_conditions,
 )
 from screwkit.certificates.limb_offers import limb_offers
-from screwkit.certificates.offer_choice import LONGEST, Choice, OfferChoice
+from screwkit.certificates.met_conditions import orders
+from screwkit.certificates.offer_choice import LONGEST, Choice
 from screwkit.certificates.offers import minor_offers
 from screwkit.certificates.records import Case, Node, Sheet, Unsolved
 from screwkit.certificates.roots import NotProvedError
+from screwkit.certificates.sheet_nodes import SheetNodes
+from screwkit.certificates.sheet_trials import SheetTrials, on_the_way
 from screwkit.certificates.steps import (
     followed,
     numbers_of,
@@ -60,6 +64,9 @@ NODES_OF_LATE = 4_000
 LONGEST_OF_LATE = 2_000
 """Terms of a minor that is factored in such a proof: its many nodes are to be quick."""
 
+SHEETS = 6
+"""Orders in which conditions are met, at a node."""
+
 MIXED = 3
 """Unsolved conditions from which on no further one is added to tell postures apart."""
 
@@ -68,7 +75,7 @@ DEEPEST = 16
 
 
 @dataclass
-class ProofSearch(OfferChoice):
+class ProofSearch(SheetNodes):
     """One proof under way.
 
     Attributes:
@@ -76,6 +83,7 @@ class ProofSearch(OfferChoice):
         asks_limbs: Whether limbs are asked before minors of the whole matrix.
         late: Whether sums that leave more than one case unsolved come after minors.
         count: Nodes so far.
+        trials: Asks whether sheets lie on components; None: it is not tried.
         source: Of the choice of minors.
     """
 
@@ -83,6 +91,7 @@ class ProofSearch(OfferChoice):
     asks_limbs: bool = False
     late: bool = False
     count: int = 0
+    trials: SheetTrials | None = None
     source: random.Random = field(default_factory=lambda: random.Random(5))
 
     # -- one node --------------------------------------------------------------------
@@ -111,6 +120,7 @@ class ProofSearch(OfferChoice):
             )
             or self.special(place, number)
             or self.of_a_sum(place, number, self.implied(place))
+            or self.on_components(place, number)
             or self.without_points(place, number)
             or self.by_limbs(place, number)
             or self.by_minor(place, number)
@@ -120,10 +130,18 @@ class ProofSearch(OfferChoice):
 
     # -- products --------------------------------------------------------------------
 
-    def split_condition(self, place: Place, number: int) -> Node | None:
-        """The node of a condition that can be factored, or solved, by now."""
+    def split_condition(
+        self, place: Place, number: int, chosen: Sequence[Pending] | None = None
+    ) -> Node | None:
+        """The node of a condition that can be factored, or solved, by now.
+
+        Args:
+            place: The node.
+            number: Of the node.
+            chosen: Conditions that may be taken; by default all of them.
+        """
         branch = place.branch
-        for pending in branch.pending:
+        for pending in branch.pending if chosen is None else chosen:
             factors = self.factors(branch, pending.value)
             same = len(factors) == 1 and str(factors[0][0].equations[0]) in (
                 str(pending.value),
@@ -178,6 +196,19 @@ class ProofSearch(OfferChoice):
             return None
         roots = self.roots(branch)
         return Node(number, special=True, roots=roots)
+
+    def on_components(self, place: Place, number: int) -> Node | None:
+        """The node of conditions all of whose sheets lie on components."""
+        branch, trials = place.branch, self.trials
+        if trials is None or not branch.points or not branch.pending:
+            return None
+        if not any(self.all_vanish(e, branch) for e in self.problem.components):
+            return None
+        for order in islice(orders(place), SHEETS):
+            bare = self.bare_sheet(place, number, order)
+            if trials.lie_on_components(*on_the_way(place), bare):
+                return self.sheet_of(place, number, order)
+        return None
 
     def without_points(self, place: Place, number: int) -> Node | None:
         """The node of a sum in few unknowns, where no exact posture was found."""
@@ -337,7 +368,13 @@ class ProofSearch(OfferChoice):
         return Node(number, impossible=index, impossible_value=written, over=over)
 
 
-def proof_of(problem: Problem, *, asks_limbs: bool, late: bool = False) -> Node:
+def proof_of(
+    problem: Problem,
+    *,
+    asks_limbs: bool,
+    late: bool = False,
+    trials: SheetTrials | None = None,
+) -> Node:
     """A proof that nothing is missing from a list of components.
 
     Args:
@@ -345,6 +382,7 @@ def proof_of(problem: Problem, *, asks_limbs: bool, late: bool = False) -> Node:
         asks_limbs: Whether limbs are asked before minors of the whole matrix, which may
             be products all the same.
         late: Whether sums that leave more than one case unsolved come after minors.
+        trials: Asks whether sheets lie on components.
 
     Raises:
         NotProvedError: If none was found.
@@ -355,5 +393,7 @@ def proof_of(problem: Problem, *, asks_limbs: bool, late: bool = False) -> Node:
     rank = max(problem.matrix.rank_at(*at) for at in points)
     start = with_conditions(problem.root, problem.demands)
     longest = LONGEST_OF_LATE if late else LONGEST
-    search = ProofSearch(problem, rank, asks_limbs, late, longest=longest)
+    search = ProofSearch(
+        problem, rank, asks_limbs, late, trials=trials, longest=longest
+    )
     return search.node(Place(start, problem.demands))

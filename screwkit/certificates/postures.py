@@ -16,6 +16,7 @@ from typing import Any
 from weakref import WeakKeyDictionary
 
 from screwkit.algebra.angle_basis import inverse_forms
+from screwkit.algebra.angle_measures import common_measures
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.dual_point import DualRing
 from screwkit.algebra.exact_point import (
@@ -99,7 +100,8 @@ class Postures:
         self._field = ConstantField.needed_by(radicands, seen.turn)
         roots = [*radicands, *map(Fraction, self._field.primes), *radicands_of(part)]
         self.prime = prime_for(seen.turn, roots, source.randrange(2**60))
-        wanted = {*seen.angles, *map(str, seen.constant_angles)}
+        self._measures = common_measures(seen.constant_angles)
+        wanted = {*seen.angles, *map(str, self._measures.values)}
         self.declared = _declared(part.angles, wanted)
         self.symbols = tuple(seen.symbols)
         self.divisors, self.radicands = tuple(seen.divisors), tuple(seen.roots)
@@ -237,6 +239,7 @@ class Postures:
             [random_turn(source, p) for _ in self.part.angles],
             {name: random_residue(source, p) for name in self.symbols},
             self._first,
+            self._measures,
         )
 
     def moved(self, point: PointRing, way: Way) -> PointRing:

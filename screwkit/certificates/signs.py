@@ -26,6 +26,7 @@ from screwkit.algebra.sturm import real_zeros
 from screwkit.algebra.written_terms import factors_of, terms_of
 from screwkit.certificates.one_angle import is_never_zero
 from screwkit.certificates.one_symbol import coefficients_of
+from screwkit.mechanism.model import Mechanism
 
 
 @dataclass(frozen=True)
@@ -101,3 +102,10 @@ def _keeps_its_sign(terms: list[tuple[Fraction, Counter[Expression]]]) -> bool:
         return True
     found = coefficients_of(terms)
     return found is not None and any(found) and not real_zeros(found)
+
+
+def declared_signs(mechanism: Mechanism) -> tuple[set[str], set[str]]:
+    """Symbols that a file declares to be positive, and those that are not 0."""
+    own = mechanism.parameters
+    positive = {p.name for p in own if p.positive}
+    return positive, positive | {p.name for p in own if p.nonzero}

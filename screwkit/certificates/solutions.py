@@ -15,7 +15,7 @@ from screwkit.algebra.exact_point import PointRing, Turn
 from screwkit.algebra.expression import Expression
 from screwkit.certificates.multiples import divided
 from screwkit.certificates.postures import Postures, Way
-from screwkit.certificates.records import Case, Step, Unsolved
+from screwkit.certificates.records import Case, Step
 from screwkit.certificates.root_postures import linear_solution
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.texts import RefusedError, fraction, read
@@ -111,19 +111,6 @@ class Solutions:
         if at(x + y) != a * (x + y) + b or at(x * y) != a * x * y + b:
             raise RefusedError(f"an equation is not linear in {symbol}")
         return a, b
-
-    def coefficients(
-        self, own: Unsolved, point: PointRing, way: Way
-    ) -> tuple[Any, ...]:
-        """Of a condition linear in a symbol, or in sine and cosine of an angle.
-
-        Raises:
-            RefusedError: If it is not.
-        """
-        equation = read(own.equation)
-        if own.angle < 0:
-            return self._linear_in(own.symbol, equation, point, way)
-        return self._linear(equation, own.angle, point, way)
 
     def _two_turns(self, case: Case, steps: Sequence[Step], way: Way) -> None:
         """P·sin φ + Q·cos φ = 0 with constant P² + Q²: two opposite turns."""

@@ -70,7 +70,7 @@ def _solvable(
             for own, _ in factors
         ):
             numbers = [place.number(pending) for pending in branch.pending]
-            return Sum(_terms(place, numbers, found), tuple(factors))
+            return Sum(terms_of(place, numbers, found), tuple(factors))
     return None
 
 
@@ -85,7 +85,7 @@ def implied_equation(known: Conditions, place: Place) -> Sum | None:
         found = made_a_sum(branch.ring, equation, values, _is_free(known, place))
         if found is not None:
             factors = known.factors(branch, found.value)
-            return Sum(_terms(place, numbers, found), tuple(factors))
+            return Sum(terms_of(place, numbers, found), tuple(factors))
     return None
 
 
@@ -106,7 +106,7 @@ def equation_times_dimensions(known: Conditions, place: Place) -> Sum | None:
             if found is not None:
                 numbers = [place.number(pending) for pending in branch.pending]
                 factors = known.factors(branch, found.value)
-                return Sum(_terms(place, numbers, found), tuple(factors))
+                return Sum(terms_of(place, numbers, found), tuple(factors))
     return None
 
 
@@ -130,7 +130,7 @@ def paired_equation(known: Conditions, place: Place) -> Sum | None:
                 if found is not None:
                     numbers = [place.number(pending) for pending in branch.pending]
                     whole = Factor(f"whole {value}", (primitive(value),))
-                    return Sum(_terms(place, numbers, found), ((whole, 1),))
+                    return Sum(terms_of(place, numbers, found), ((whole, 1),))
     return None
 
 
@@ -181,7 +181,7 @@ def sum_without_angles(known: Conditions, place: Place) -> Sum | None:
             ):
                 numbers = [place.number(pending) for pending in branch.pending]
                 return Sum(
-                    _terms(place, numbers, Combination(own, times)), tuple(factors)
+                    terms_of(place, numbers, Combination(own, times)), tuple(factors)
                 )
     return None
 
@@ -210,7 +210,7 @@ def determinant_sum(known: Conditions, place: Place) -> Sum | None:
         if not any(str(primitive(f.equations[0])) in held for f, _ in factors):
             numbers = [place.number(pending) for pending in branch.pending]
             found = Combination(total, tuple(times))
-            return Sum(_terms(place, numbers, found), tuple(factors))
+            return Sum(terms_of(place, numbers, found), tuple(factors))
     return None
 
 
@@ -241,9 +241,16 @@ def _is_free(known: Conditions, place: Place) -> Callable[[Polynomial], bool]:
     return lambda value: str(primitive(value)) not in held
 
 
-def _terms(
+def terms_of(
     place: Place, conditions: Sequence[int], found: Combination
 ) -> tuple[Multiple, ...]:
+    """A sum in the terms of a certificate.
+
+    Args:
+        place: The node.
+        conditions: On the way to it, by number: those that were combined.
+        found: Their sum.
+    """
     branch = place.branch
     return tuple(
         Multiple(

@@ -19,6 +19,7 @@ from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.certificates.certification import PartDerivation
+from screwkit.certificates.covered_components import with_covers
 from screwkit.certificates.derivation import proof_of
 from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.minor_choice import Matrix
@@ -274,7 +275,9 @@ class TiedDerivation(PartDerivation):
         return Reach(steps, roots_of(self._ring, left, branch.nonzero))
 
     def _proved(self, part: Part, loci: Sequence[tuple[Polynomial, ...]]) -> Part:
+        """With the fewest demands from which everything was shown."""
         reason = NotProvedError("no loop was closed")
+        best: Part | None = None
         for start in self._loops.starts(self._matrix):
             demands = tuple(own for own, _ in start)
             problem = replace(
@@ -287,6 +290,13 @@ class TiedDerivation(PartDerivation):
             except NotProvedError as error:
                 reason = error
                 continue
-            kept = tuple(demand for _, demand in start)
-            return self._examined(replace(part, demands=kept, proof=proof))
-        raise reason
+            met = replace(part, demands=tuple(demand for _, demand in start))
+            bare = replace(problem, components=(), moving=False)
+            met = with_covers(self._subject.mechanism, met, bare, self._read)
+            found = self._examined(replace(met, proof=proof))
+            if not found.reason:
+                return found
+            best = best or found
+        if best is None:
+            raise reason
+        return best

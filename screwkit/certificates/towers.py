@@ -1,10 +1,11 @@
 """Several conditions that are met one after the other: postures on every sheet.
 
-Each condition is linear in an unknown, a symbol or sine and cosine of an angle, that
-the conditions before it lack.  m equations cut out nothing that has fewer than n − m
-dimensions (Krull).  So where of no condition all coefficients vanish, whatever they cut
-out lies over all values of the other unknowns, and random ones meet it.  Where all
-coefficients of a condition vanish is a case of its own.
+Each condition has an unknown, a symbol or an angle, that the conditions before it lack;
+or several are linear in as many symbols together, which those before them lack.  m
+equations cut out nothing that has fewer than n − m dimensions (Krull).  So where of no
+condition all coefficients vanish, nor the determinant of several, whatever they cut
+out lies over all values of the other unknowns, and random ones meet it.  Where they do
+vanish is a case of its own.
 
 References: [CoxLittleOShea] §9.4 (dimensions of intersections).
 """
@@ -12,15 +13,17 @@ References: [CoxLittleOShea] §9.4 (dimensions of intersections).
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from typing import Any, TypeVar
 
 from screwkit.algebra.all_roots import at_all_roots
 from screwkit.algebra.exact_point import PointRing
 from screwkit.algebra.modular import ResampleError
+from screwkit.certificates.coefficients import Coefficients
 from screwkit.certificates.postures import Postures, Way
-from screwkit.certificates.records import Node, Unsolved
+from screwkit.certificates.records import Case, Node, Unsolved
+from screwkit.certificates.root_postures import linear_solution
 from screwkit.certificates.sheets import Sheets, Unknown, placed
-from screwkit.certificates.solutions import Solutions
 from screwkit.certificates.texts import RefusedError, read
 
 T = TypeVar("T")
@@ -34,38 +37,56 @@ class Towers:
     Args:
         postures: Of the mechanism.
         sheets: Of single conditions.
-        solutions: Tells the coefficients of what is linear.
+        coefficients: Of conditions in their unknowns.
     """
 
     def __init__(
-        self, postures: Postures, sheets: Sheets, solutions: Solutions
+        self, postures: Postures, sheets: Sheets, coefficients: Coefficients
     ) -> None:
-        self._postures, self._sheets, self._solutions = postures, sheets, solutions
+        self._postures, self._sheets = postures, sheets
+        self._coefficients = coefficients
 
     def check(self, node: Node, way: Way) -> None:
-        """Check that a sheet's conditions are linear, and what its cases are.
+        """Check that a sheet's conditions are as they have to be, and its cases.
 
         Raises:
-            RefusedError: If one is not linear, or its coefficients may vanish in no
-                case.
+            RefusedError: If they are not, or coefficients may vanish in no case.
         """
         roots = node.roots
-        unknowns = [_unknown(own) for own in roots]
-        if len(roots) != len(node.cases) or len({*unknowns}) != len(roots):
+        unknowns = [unknown for own in roots for unknown in _unknowns(own)]
+        if len(roots) != len(node.cases) or len({*unknowns}) != len(unknowns):
             raise RefusedError("its conditions have no unknowns or cases of their own")
-        if not {own.equation for own in roots} <= {*way.conditions}:
+        if not {e.equation for own in roots for e in members(own)} <= {*way.conditions}:
             raise RefusedError("it is met by other equations than its conditions")
-        for number, (own, case) in enumerate(zip(roots, node.cases, strict=True)):
-            fitting = [{*range(3)} for _ in case.equations]
+        seen = 0
+        for own, case in zip(roots, node.cases, strict=True):
+            seen += len(members(own))
             for point in self._postures.several_before(way):
-                there = self._postures.moved(point, way)
-                self._lacks(own.equation, unknowns[number + 1 :], point, way)
-                known = self._solutions.coefficients(own, point, way)
-                for text, places in zip(case.equations, fitting, strict=True):
-                    value = there.value(read(text))
-                    places &= {k for k, x in enumerate(known) if x == value}
-            if not fitting or not all(fitting):
-                raise RefusedError(f"{own.equation} has other coefficients")
+                for member in members(own):
+                    self._lacks(member.equation, unknowns[seen:], point, way)
+            self._vanishing(own, case, way)
+
+    def _vanishing(self, own: Unsolved, case: Case, way: Way) -> None:
+        """Check that a case holds wherever a condition says nothing of its unknown.
+
+        Each of its equations is a coefficient, or the determinant of several.
+
+        Raises:
+            RefusedError: If it may not.
+        """
+        fitting: list[set[int]] = []
+        for point in self._postures.several_before(way):
+            there = self._postures.moved(point, way)
+            if own.together:
+                whole = self._coefficients.determinant(members(own), point, way)
+                known = (whole, -whole)
+            else:
+                known = self._coefficients.of(own, point, way)
+            values = [there.value(read(text)) for text in case.equations]
+            places = [{k for k, x in enumerate(known) if x == v} for v in values]
+            fitting = [a & b for a, b in zip(fitting or places, places, strict=True)]
+        if not fitting or not all(fitting):
+            raise RefusedError(f"{own.equation} has other coefficients")
 
     def _lacks(
         self, text: str, unknowns: Sequence[Unknown], point: PointRing, way: Way
@@ -99,6 +120,12 @@ class Towers:
         results = []
         for before in self._sheets.choices(way):
             for start in self._all_of(first, before, way):
+                if last.together:
+                    for point in self._at(last, start, way):
+                        with suppress(ResampleError, ZeroDivisionError):
+                            there = self._postures.moved(point, way)
+                            results.append(found(point, there))
+                    continue
 
                 def at(root: Any, start: PointRing = start) -> list[T]:
                     try:
@@ -136,17 +163,33 @@ class Towers:
         Raises:
             ResampleError: If one of them is no residue.
         """
+        if own.together:
+            rows, right = self._coefficients.linear(members(own), point, way)
+            with suppress(ResampleError):  # else its determinant vanishes: a case
+                found = linear_solution(rows, right, self._postures.prime)
+                names = [member.symbol for member in members(own)]
+                yield point.changed(numbers=dict(zip(names, found, strict=True)))
+            return
         numerator = self._numerator(own, point, way)
         if numerator.degree() < 1:
             return
-        found = [root for root, _ in numerator.roots()]
-        if len(found) < (numerator // numerator.gcd(numerator.derivative())).degree():
+        places = [root for root, _ in numerator.roots()]
+        if len(places) < (numerator // numerator.gcd(numerator.derivative())).degree():
             raise ResampleError
-        for root in found:
+        for root in places:
             yield placed(point, _unknown(own), root)
 
     def _numerator(self, own: Unsolved, point: PointRing, way: Way) -> Any:
         return self._sheets.numerator(way, own.equation, point, _unknown(own))
+
+
+def members(own: Unsolved) -> tuple[Unsolved, ...]:
+    """A condition, and those that are solved together with it."""
+    return (own, *own.together)
+
+
+def _unknowns(own: Unsolved) -> Iterator[Unknown]:
+    return map(_unknown, members(own))
 
 
 def _unknown(own: Unsolved) -> Unknown:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import MISSING, Field, fields, is_dataclass
+from dataclasses import MISSING, dataclass, fields, is_dataclass
 from functools import cache
 from types import NoneType, UnionType
 from typing import Any, Final, Union, get_args, get_origin, get_type_hints
@@ -61,57 +61,74 @@ def _plain(value: Any) -> Any:
     return value
 
 
+@dataclass(frozen=True)
+class _Record:
+    """What a record may hold.
+
+    Attributes:
+        kinds: Of its fields.
+        needed: Fields that must be there.
+    """
+
+    kinds: Mapping[str, Any]
+    needed: tuple[str, ...]
+
+
 @cache
-def _hints(kind: type) -> dict[str, Any]:
-    return get_type_hints(kind)
+def _record_of(kind: type) -> _Record | None:
+    if not is_dataclass(kind):
+        return None
+    needed = tuple(f.name for f in fields(kind) if f.default is MISSING)
+    return _Record(get_type_hints(kind), needed)
+
+
+@cache
+def _parts_of(kind: Any) -> tuple[Any, tuple[Any, ...]]:
+    """What a type is made from: tuple, mapping or union, and of what."""
+    return get_origin(kind), get_args(kind)
 
 
 def _read(kind: Any, data: Any, place: str, depth: int) -> Any:
+    if type(data) is kind:
+        return data
     if depth > DEEPEST:
         raise MalformedError(f"{place} is nested too deeply")
-    origin = get_origin(kind)
+    origin, inner = _parts_of(kind)
     if origin in (Union, UnionType):
         if data is None:
             return None
-        (kind,) = (option for option in get_args(kind) if option is not NoneType)
+        (kind,) = (option for option in inner if option is not NoneType)
         return _read(kind, data, place, depth)
     if origin is tuple:
         if not isinstance(data, list):
             raise MalformedError(f"{place} is no list")
-        item = get_args(kind)[0]
         return tuple(
-            _read(item, value, f"{place}[{number}]", depth + 1)
+            _read(inner[0], value, f"{place}[{number}]", depth + 1)
             for number, value in enumerate(data)
         )
     if origin is not None:  # a mapping of names
         if not isinstance(data, dict):
             raise MalformedError(f"{place} is no object")
-        item = get_args(kind)[1]
         return {
-            key: _read(item, value, f"{place}.{key}", depth + 1)
+            key: _read(inner[1], value, f"{place}.{key}", depth + 1)
             for key, value in data.items()
         }
-    if is_dataclass(kind):
-        return _record(kind, data, place, depth)
-    if type(data) is not kind:
-        raise MalformedError(f"{place} is no {kind.__name__}")
-    return data
+    record = _record_of(kind)
+    if record is not None:
+        return _made(kind, record, data, place, depth)
+    raise MalformedError(f"{place} is no {kind.__name__}")
 
 
-def _record(kind: Any, data: Any, place: str, depth: int) -> Any:
+def _made(kind: Any, record: _Record, data: Any, place: str, depth: int) -> Any:
     if not isinstance(data, dict):
         raise MalformedError(f"{place} is no object")
-    known: dict[str, Field[Any]] = {f.name: f for f in fields(kind)}
-    for key in data:
-        if key not in known:
-            raise MalformedError(f"{place} has an unknown key {key!r}")
-    for name, own in known.items():
-        if own.default is MISSING and name not in data:
+    values = {}
+    for name, value in data.items():
+        own = record.kinds.get(name)
+        if own is None:
+            raise MalformedError(f"{place} has an unknown key {name!r}")
+        values[name] = _read(own, value, f"{place}.{name}", depth + 1)
+    for name in record.needed:
+        if name not in data:
             raise MalformedError(f"{place} has no {name}")
-    hints = _hints(kind)
-    return kind(
-        **{
-            name: _read(hints[name], value, f"{place}.{name}", depth + 1)
-            for name, value in data.items()
-        }
-    )
+    return kind(**values)

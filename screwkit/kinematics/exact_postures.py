@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, Generic, Protocol, TypeAlias, TypeVar
 
+from screwkit.algebra.angle_measures import common_measures
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.expression import ZERO, Number
@@ -104,9 +105,10 @@ def exact_values(
     radicands = [r.value for r in seen.roots if isinstance(r, Number)]
     field = ConstantField.needed_by(radicands, seen.turn)
     roots = [*radicands, *map(Fraction, field.primes)]
+    measures = common_measures(seen.constant_angles)
     for attempt in range(_ATTEMPTS):
         prime = prime_for(seen.turn, roots, seed + 1000 * attempt, bits)
-        ring = ModularRing(seed + attempt, prime, field)
+        ring = ModularRing(seed + attempt, prime, field, measures)
         try:
             for root in seen.roots:  # at once, for most attempts fail at one of these
                 ring.square_root(root, evaluate(root, ring))

@@ -55,6 +55,17 @@ def held_loops(mechanism: Mechanism) -> tuple[tuple[Step, ...], ...]:
     return short_loops(replace(mechanism, joints=(*mechanism.joints, weld)))
 
 
+def way_to_platform(mechanism: Mechanism) -> tuple[Step, ...]:
+    """The shortest way from the base to the platform; none where they are one body."""
+    if mechanism.base == mechanism.platform:
+        return ()
+    neighbours: Neighbours = {link: [] for link in mechanism.links}
+    for joint in mechanism.joints:
+        neighbours[joint.parent].append((joint.child, (joint.name, 1)))
+        neighbours[joint.child].append((joint.parent, (joint.name, -1)))
+    return _shortest(neighbours, mechanism.base, mechanism.platform)
+
+
 def _swept(mechanism: Mechanism) -> Sequence[Joint]:
     """The joints by the later of their two bodies in a sweep from the base."""
     touching: dict[str, list[Joint]] = {link: [] for link in mechanism.links}

@@ -22,12 +22,12 @@ from screwkit.algebra.modular import rank
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.telling_coordinates import telling_coordinates
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
-from screwkit.conventions import SCREW_DIMENSION
+from screwkit.conventions import DIRECTION, SCREW_DIMENSION
 from screwkit.errors import UndecidedError
 from screwkit.kinematics.assembly import assumptions_of
 from screwkit.kinematics.exact_postures import ExactPosture
 from screwkit.kinematics.frames import FramedTwists, framed_twists
-from screwkit.kinematics.loop_basis import held_loops
+from screwkit.kinematics.loop_basis import held_loops, way_to_platform
 from screwkit.kinematics.network import Motion, Network, motion
 from screwkit.mechanism.graph import Step
 from screwkit.mechanism.model import Mechanism
@@ -155,15 +155,33 @@ class WholeGraph:
         rows: dict[int, Row] = {}
         for number, loop in enumerate(self._loops_held if held else self._loops):
             for coordinate in self._telling:
-                row: Row = {}
-                for joint, sign in loop:
-                    for label in self.network.labels_of.get(joint, ()):
-                        entry = self.framed.column(label)[coordinate]
-                        if label in place and entry != 0:
-                            row[place[label]] = sign * entry
+                row = self._row(loop, coordinate, place)
                 if row:
                     rows[SCREW_DIMENSION * number + coordinate] = row
         return labels, rows
+
+    def unturned_equations(self) -> list[Row]:
+        """The rows of C, and those that keep the platform from turning."""
+        labels, rows = self.equations()
+        place = {label: i for i, label in enumerate(labels)}
+        way = way_to_platform(self.mechanism)
+        turns = [
+            self._row(way, coordinate, place)
+            for coordinate in range(SCREW_DIMENSION)[DIRECTION]
+        ]
+        return [*rows, *filter(None, turns)]
+
+    def _row(
+        self, way: Sequence[Step], coordinate: int, place: Mapping[str, int]
+    ) -> Row:
+        """One coordinate of the twists along a way, by columns."""
+        row: Row = {}
+        for joint, sign in way:
+            for label in self.network.labels_of.get(joint, ()):
+                entry = self.framed.column(label)[coordinate]
+                if label in place and entry != 0:
+                    row[place[label]] = sign * entry
+        return row
 
     def posture_at(self, point: Point, prime: int) -> ExactPosture:
         """The twists at an exact point of the ring."""

@@ -61,7 +61,7 @@ def conjunction(
         statements: That hold at its exact points, simplest first.
         root: The space in which it lies.
         library: Factors met before, of the same ring.
-        others: Components that may share them, as mirror images do.
+        others: Components that may share them, as mirror images do, in their order.
 
     Returns:
         None where none were found that are proved to hold nowhere else.
@@ -70,20 +70,33 @@ def conjunction(
     alone = _Cutting(piece, (), library).chosen(said, root)
     if alone is not None:
         return Conjunction(_words(alone)) if _holds(alone, piece, library) else None
-    for number, other in enumerate(others):
-        if other is piece or not _alike(piece, other):
-            continue
-        shared = [
-            one
-            for one in said
-            if not any(residue(s, *at) for s in one[1] for at in _points(other))
-        ]
-        if not _points(other) or not shared:
-            continue
-        both = _Cutting(piece, (other,), library).chosen(shared, root)
-        if both is not None and all(_holds(both, p, library) for p in (piece, other)):
-            return Conjunction(_words(both), (number,))
+    for numbers in _groups(piece, said, others):
+        known = [others[number] for number in numbers]
+        shared = [one for one in said if all(_is_met(one, p) for p in known)]
+        both = _Cutting(piece, tuple(known), library).chosen(shared, root)
+        if both is not None and all(_holds(both, p, library) for p in (piece, *known)):
+            return Conjunction(_words(both), numbers)
     return None
+
+
+def _groups(
+    piece: Piece, said: Sequence[Said], others: Sequence[Piece]
+) -> list[tuple[int, ...]]:
+    """Other components that may share statements: mirror images, then the most."""
+    beside = [
+        (number, other)
+        for number, other in enumerate(others)
+        if other is not piece and all(branch.points for branch in other.branches)
+    ]
+    pairs = [(number,) for number, other in beside if _alike(piece, other)]
+    sharing = [tuple(n for n, other in beside if _is_met(one, other)) for one in said]
+    found = [*pairs, max(sharing, key=len, default=())]
+    return [g for g in found if g and any(set(g) <= set(s) for s in sharing)]
+
+
+def _is_met(said: Said, piece: Piece) -> bool:
+    """Whether a statement holds at the exact points of a piece."""
+    return not any(residue(s, *at) for s in said[1] for at in _points(piece))
 
 
 def _alike(one: Piece, other: Piece) -> bool:

@@ -23,7 +23,7 @@ from screwkit.kinematics.network import motion
 from screwkit.kinematics.subspaces import dimension
 from screwkit.kinematics.whole_graph import Row, WholeGraph, state_of
 from screwkit.loci.matrix_drop import RankAt, matrix_zeros
-from screwkit.loci.platform_state import Change
+from screwkit.loci.platform_state import Change, may_slide_more
 from screwkit.mechanism.model import Mechanism
 from screwkit.results.strata import PlatformState
 
@@ -93,7 +93,10 @@ class GraphStates:
     def changes(self, branch: Branch, search: Search) -> Iterator[Change]:
         """Where C or [C; P] lose rank: of the limbs, of the whole, actuators locked."""
         state = self.on(branch)
-        for rows, rank_at in self._matrices():
+        matrices = [*self._matrices()]
+        if state is None or may_slide_more(state):
+            matrices.append((self._graph.unturned_equations(), self._unturned_rank))
+        for rows, rank_at in matrices:
             own = replace(search, found=[], unfinished=[], special=[])
             zeros = matrix_zeros(branch, rows, rank_at, own)
             found = any(self.on(part) != state for part in zeros.branches)
@@ -113,6 +116,12 @@ class GraphStates:
                 _, rows = graph.equations(locked, held=held)
                 if rows:
                     yield rows, partial(_rank, graph, locked, held)
+
+    def _unturned_rank(self, point: Point, prime: int) -> int:
+        """Of C and the rows that keep the platform from turning, at an exact point."""
+        found = self._graph.motion_at(point, prime)
+        turns = [twist[DIRECTION] for twist in found.platform_twists]
+        return state_of(found).loop + dimension(turns, prime)
 
 
 def _rank(

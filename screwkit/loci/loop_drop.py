@@ -234,7 +234,7 @@ def _told_from_parts(
     parts: list[tuple[Piece, int]] = []
     for piece in pieces:
         size = _size_around(piece, columns, walk)
-        if size is not None and size < piece.independent:
+        if size is not None and size < piece.codimension:
             parts.append((piece, size))
         else:
             kept.append(piece)
@@ -248,7 +248,7 @@ def _size_around(
     branch = piece.branches[0]
     for at in branch.points:
         if rank_at(columns, *at) == walk.generic.loop - 1:
-            return codimension_around(branch.ring, columns, piece.independent, at)
+            return codimension_around(branch.ring, columns, piece.codimension, at)
     return None
 
 

@@ -98,9 +98,13 @@ class Meanings:
         found = [s for s in (f.of(piece) for f in self._figures) if s is not None]
         return next((s for s in found if _GIVEN not in s), next(iter(found), None))
 
-    def of_limb(self, piece: Piece) -> str | None:
-        """The same of a limb's twists; of six axes that they are dependent at least."""
-        return self.of(piece) or self.each_of(piece) or self.of_six_lines(piece)
+    def of_limb(self, piece: Piece, others: Sequence[Piece] = ()) -> str | None:
+        """The same of a limb's twists; of six axes that they are dependent at least.
+
+        ``others`` are all pieces of the limb.
+        """
+        found = self.of(piece) or self.each_of(piece, others, None)
+        return found or self.of_six_lines(piece)
 
     def of_six_lines(self, piece: Piece) -> str | None:
         """Six lines of one linear complex, which says no more than dependent."""
@@ -108,15 +112,15 @@ class Meanings:
         return next((sentence for sentence in found if sentence), None)
 
     def each_of(
-        self, piece: Piece, others: Sequence[Piece] = (), before: int = 0
+        self, piece: Piece, others: Sequence[Piece] = (), before: int | None = 0
     ) -> str | None:
         """A sentence for the piece, or for each of its equations, or several together.
 
         Args:
             piece: A component.
             others: All components in the order in which they are counted; a sentence
-                that holds on two of them and nowhere else says so.
-            before: Components that are counted before these.
+                that holds on several of them and nowhere else says so.
+            before: Components that are counted before these; None to name none.
         """
         if len(piece.equations) == 1:
             return self.of(piece)
@@ -130,7 +134,7 @@ class Meanings:
         return "; ".join(alone) or None
 
     def _together(
-        self, piece: Piece, others: Sequence[Piece], before: int
+        self, piece: Piece, others: Sequence[Piece], before: int | None
     ) -> list[str] | None:
         """Statements and figures that hold on the piece, as many as it takes."""
         if not all(branch.points for branch in piece.branches):
@@ -140,8 +144,8 @@ class Meanings:
         if found is None:
             return None
         words = list(found.words)
-        for number in found.elsewhere:
-            words[-1] += f" (here and on component {before + number + 1})"
+        if found.elsewhere:
+            words[-1] += _here_and_there(found.elsewhere, len(others), before)
         return words
 
     def _said_of(self, piece: Piece) -> Iterator[Said]:
@@ -259,6 +263,19 @@ class Meanings:
         if key not in self._at:
             self._at[key] = features_at(self.features, point, prime)
         return self._at[key]
+
+
+def _here_and_there(elsewhere: Sequence[int], count: int, before: int | None) -> str:
+    """On which other components sentences hold."""
+    if before is None:
+        number = len(elsewhere)
+        which = "the" if number == count - 1 else f"{number}"
+        noun = "component" if number == 1 else "components"
+        return f" (here and on {which} other {noun} of the limb)"
+    *first, last = [str(before + number + 1) for number in elsewhere]
+    if not first:
+        return f" (here and on component {last})"
+    return f" (here and on components {', '.join(first)} and {last})"
 
 
 def _keys(piece: Piece) -> set[str]:

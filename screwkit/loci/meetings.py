@@ -160,9 +160,5 @@ def recovered(
         ]
         if not branches or len(branches) > BRANCHES:
             return None
-    own = [
-        b
-        for b in branches
-        if codimension in (b.codimension, b.independent) and b.points
-    ]
+    own = [b for b in branches if b.codimension == codimension and b.points]
     return Piece(tuple(equations), tuple(own)) if own else None

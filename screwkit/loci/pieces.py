@@ -37,11 +37,6 @@ class Piece:
         return self.branches[0].codimension
 
     @property
-    def independent(self) -> int:
-        """Its codimension, conditions that later ones imply left out."""
-        return min(branch.independent for branch in self.branches)
-
-    @property
     def is_exact(self) -> bool:
         """Whether each condition was solved with all its zeros, so that none is left.
 

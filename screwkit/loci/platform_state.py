@@ -8,7 +8,7 @@ References: [Zlatanov2002]; [LongCaroKhalil2012] §5.2.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple, Protocol
 
@@ -17,6 +17,8 @@ from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.search import Search
+from screwkit.algebra.telling_coordinates import telling_coordinates
+from screwkit.conventions import MOMENT, SCREW_DIMENSION
 from screwkit.kinematics.assembly import Assembly, loop_rows
 from screwkit.kinematics.subspaces import PlatformSystem
 from screwkit.loci.dependence import dependent_zeros
@@ -124,7 +126,10 @@ class PlatformStates:
         )
 
     def changes(self, branch: Branch, search: Search) -> Iterator[Change]:
-        """Where limbs lose a rank, or their wrenches become dependent."""
+        """Where limbs lose a rank, or their wrenches become dependent.
+
+        Translations are what one more limb that slides in every direction allows.
+        """
         choices = [self._limbs(())]
         if self._actuated:
             choices.append(self._limbs(self._actuated))
@@ -133,13 +138,43 @@ class PlatformStates:
                 drop = rank_drop(branch, limb, search).decomposition
                 found = any(b.points for b in drop.branches)
                 yield Change(found, drop.complete and not drop.branches, 0)
-            own = replace(search, found=[], unfinished=[], special=[])
-            zeros = dependent_zeros(branch, limbs, own, within=True)
-            cost = 1 + search.budget - own.budget
-            yield Change(bool(zeros.branches), not zeros.open, cost)
+            yield _dependence(branch, limbs, search)
+        state = self.on(branch)
+        if state is None or may_slide_more(state):
+            yield _dependence(branch, self._with_slides(), search)
 
     def _limbs(self, locked: Collection[str]) -> list[list[Column]]:
         return [
             [*self._assembly.told([j for j in limb.joints if j not in locked])]
             for limb in self._assembly.limbs
         ]
+
+    def _with_slides(self) -> list[list[Column]]:
+        """The limbs, and one that allows every translation that a limb could give."""
+        framed = self._assembly.common_twists
+        ring = framed.ring
+        moments = range(SCREW_DIMENSION)[MOMENT]
+        met = [i for i in moments if any(column[i] != 0 for column in framed.columns)]
+        slides: list[Column] = [
+            [ring.context.constant(int(i == place)) for i in range(SCREW_DIMENSION)]
+            for place in met
+        ]
+        limbs = [*([*map(framed.column, x.joints)] for x in self._assembly.limbs)]
+        whole: list[Sequence[Column]] = [*limbs, slides]
+        places = telling_coordinates(column for limb in whole for column in limb)
+        return [[[c[place] for place in places] for c in limb] for limb in whole]
+
+
+def may_slide_more(state: PlatformState) -> bool:
+    """Whether twists of this dimension can hold more translations than they do."""
+    return state.motion_type != f"{state.platform_freedom}T0R"
+
+
+def _dependence(
+    branch: Branch, limbs: Sequence[Sequence[Column]], search: Search
+) -> Change:
+    """Where the twists of limbs that keep their ranks meet in more."""
+    own = replace(search, found=[], unfinished=[], special=[])
+    zeros = dependent_zeros(branch, limbs, own, within=True)
+    cost = 1 + search.budget - own.budget
+    return Change(bool(zeros.branches), not zeros.open, cost)

@@ -17,6 +17,7 @@ from typing import Final
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.cases import possible_factors
+from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.elimination import half_angle_solutions
 from screwkit.algebra.factor_library import FactorLibrary
@@ -82,6 +83,8 @@ def _left_of(
     library: FactorLibrary,
 ) -> tuple[Polynomial, ...] | None:
     """What an equation says beside others, if that is simpler; empty for nothing."""
+    if _is_multiple(equation, others, root, library):
+        return ()
     for known in _choices(others):
         if sum(map(len, known)) > _TOGETHER:
             continue
@@ -106,6 +109,21 @@ def _left_of(
     found = (one for one in plain.values() if _is_simpler(one, equation, root))
     simplest = min(found, key=_size, default=None)
     return None if simplest is None else (simplest,)
+
+
+def _is_multiple(
+    equation: Polynomial,
+    others: Sequence[Polynomial],
+    root: Branch,
+    library: FactorLibrary,
+) -> bool:
+    """Whether one of the others is a factor, so that nothing is said beside it."""
+    known = {condition_key(root.ring, other) for other in others}
+    return any(
+        condition_key(root.ring, case.equations[0]) in known
+        for case in possible_factors(root, equation, library)
+        if len(case.equations) == 1
+    )
 
 
 def _sayings(

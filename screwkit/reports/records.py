@@ -130,13 +130,8 @@ def from_json(data: Mapping[str, Any]) -> Result:
     return decode(QUESTIONS[question], dict(data))  # type: ignore[no-any-return]
 
 
-def part_to_json(part: Any) -> Json:
-    """A finished part of an answer, with the name of its type."""
-    return {"type": type(part).__name__, "value": encode(part)}
-
-
 def part_from_json(data: Mapping[str, Any]) -> Any:
-    """The part that `part_to_json` wrote; None for a type unknown here."""
+    """The part that `wire.part_to_json` wrote; None for a type unknown here."""
     kind = _PARTS.get(str(data.get("type")))
     return None if kind is None else decode(kind, data["value"])
 

@@ -48,6 +48,11 @@ def encode(value: Any) -> Any:
     return value
 
 
+def part_to_json(part: Any) -> Json:
+    """A finished part of an answer, with the name of its type."""
+    return {"type": type(part).__name__, "value": encode(part)}
+
+
 def decode(annotation: Any, data: Any) -> Any:
     """The value of that type which `encode` wrote.
 

@@ -9,31 +9,19 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from loci.numeric import Array, value
+from one_ring import in_one_ring
 
 from screwkit.algebra.angle_elimination import eliminated
 from screwkit.algebra.angle_norms import without_angle
 from screwkit.algebra.branches import random_branch_prime
-from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.no_real_angle import never_met
-from screwkit.algebra.parse import parse
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import equation_text
-from screwkit.algebra.survey import SurveyRing
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
-
-
-def ring_with(*texts: str) -> tuple[TrigonometricRing, list[Polynomial]]:
-    seen = SurveyRing()
-    written = [parse(text) for text in texts]
-    for expression in written:
-        evaluate(expression, seen)
-    ring = TrigonometricRing(seen)
-    return ring, [ring.normal(evaluate(expression, ring)) for expression in written]
 
 
 def test_two_rods_between_two_points_give_the_law_of_cosines() -> None:
-    ring, equations = ring_with(
+    ring, equations = in_one_ring(
         "a*cos(p) + b*cos(q) - g", "a*sin(p) + b*sin(q)", "a^2 + 2*a*g*cos(p)"
     )
     closing, law = equations[:2], equations[2]
@@ -72,18 +60,18 @@ def test_two_rods_between_two_points_give_the_law_of_cosines() -> None:
     ],
 )
 def test_real_zeros_of_one_unknown_are_decided(text: str, empty: bool) -> None:
-    ring, equations = ring_with(text)
+    ring, equations = in_one_ring(text)
     assert never_met(ring, equations) is empty
 
 
 def test_two_equations_without_a_common_zero() -> None:
-    ring, equations = ring_with("cos(p) - 1/2", "sin(p) - 1/2")
+    ring, equations = in_one_ring("cos(p) - 1/2", "sin(p) - 1/2")
     assert not never_met(ring, equations[:1])
     assert never_met(ring, equations)
 
 
 def test_a_number_that_is_not_zero_has_none() -> None:
-    ring, _ = ring_with("x")
+    ring, _ = in_one_ring("x")
     assert never_met(ring, [ring.rational(Fraction(3))])
 
 
@@ -98,7 +86,7 @@ def test_a_number_that_is_not_zero_has_none() -> None:
 )
 def test_square_roots_are_multiplied_away(text: str, empty: bool) -> None:
     """Real zeros of A s + B c + C need A² + B² ≥ C²."""
-    ring, equations = ring_with(text)
+    ring, equations = in_one_ring(text)
     assert never_met(ring, equations) is empty
 
 
@@ -108,7 +96,7 @@ def test_an_angle_is_taken_out_of_a_square_by_one_linear_equation() -> None:
         "(2 + cos(p))*sin(q) + sin(p)*cos(q) - 1",
         "cos(q)^2 + 3*sin(q)*cos(q)*cos(p) - 2*sin(q) + sin(p)",
     )
-    ring, (linear, square) = ring_with(*texts)
+    ring, (linear, square) = in_one_ring(*texts)
     names = [form[0][0] for form in ring.basis]
     p, q = names.index("p"), names.index("q")
     rest = without_angle(ring, [linear, square], q, 0)

@@ -1,20 +1,15 @@
 """Sums of angles are found and written forwards."""
 
 import pytest
+from one_ring import in_one_ring
 
 from screwkit.algebra.angles import merged, natural
-from screwkit.algebra.evaluation import evaluate
-from screwkit.algebra.parse import parse
-from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 
 def polynomial(text: str) -> tuple[TrigonometricRing, Polynomial]:
-    expression = parse(text)
-    survey = SurveyRing()
-    evaluate(expression, survey)
-    ring = TrigonometricRing(survey)
-    return ring, evaluate(expression, ring)
+    ring, (value,) = in_one_ring(text)
+    return ring, value
 
 
 @pytest.mark.parametrize(

@@ -5,24 +5,22 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
+from one_ring import in_one_ring
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch, Pending, restricted
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.division import Divisor
 from screwkit.algebra.elimination import steps_of
-from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.implied import eliminants
 from screwkit.algebra.modular import rank
 from screwkit.algebra.nowhere_zero import FACTORED, without_nowhere_zero
-from screwkit.algebra.parse import parse
 from screwkit.algebra.points import differential, residue
 from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.search import Decomposition, Search, refined
 from screwkit.algebra.splitting import split
 from screwkit.algebra.substitution import reduced
-from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.taken_apart import taken_apart
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 from screwkit.analyses.singularities import limb_singularities
@@ -32,16 +30,8 @@ from screwkit.kinematics.assembly import Assembly
 POSITIVE = Assumptions(frozenset({"a", "b"}))
 
 
-def polynomials(*texts: str) -> tuple[TrigonometricRing, list[Polynomial]]:
-    seen = SurveyRing()
-    for text in texts:
-        evaluate(parse(text), seen)
-    ring = TrigonometricRing(seen)
-    return ring, [ring.normal(evaluate(parse(text), ring)) for text in texts]
-
-
 def zeros(*texts: str) -> tuple[TrigonometricRing, Decomposition]:
-    ring, conditions = polynomials(*texts)
+    ring, conditions = in_one_ring(*texts)
     search = Search(FactorLibrary(ring))
     return ring, common_zeros(Branch(ring, POSITIVE), conditions, search)
 
@@ -60,14 +50,14 @@ def zeros(*texts: str) -> tuple[TrigonometricRing, Decomposition]:
 def test_two_conditions_imply_one_without_an_unknown(
     one: str, two: str, without: str, implied: str
 ) -> None:
-    ring, (first, second, wanted) = polynomials(one, two, implied)
+    ring, (first, second, wanted) = in_one_ring(one, two, implied)
     found = [e for e in eliminants(ring, first, second) if e in (wanted, -wanted)]
     assert found, without
 
 
 def test_a_length_is_not_solved_where_a_pending_condition_makes_it_zero() -> None:
     """2 a cos p is what the pending condition says is 0: then cos p = 0."""
-    ring, (first, second) = polynomials(
+    ring, (first, second) = in_one_ring(
         "x*sin(q) - y*cos(r) - z", "2*a*cos(p) - x*sin(q) + y*cos(r) + z"
     )
     pending = (Pending(first, first),)
@@ -79,7 +69,7 @@ def test_a_length_is_not_solved_where_a_pending_condition_makes_it_zero() -> Non
 
 
 def test_conditions_that_become_the_same_are_one() -> None:
-    ring, (one, two) = polynomials("x^2*sin(q) + y^2 - z^2", "x^2*sin(r) + y^2 - z^2")
+    ring, (one, two) = in_one_ring("x^2*sin(q) + y^2 - z^2", "x^2*sin(r) + y^2 - z^2")
     pending = Pending(one, one), Pending(two, one)
     same = Branch(ring, POSITIVE, conditions=(one, two), pending=pending)
     assert not same.points
@@ -119,7 +109,7 @@ def test_pending_conditions_are_solved_together() -> None:
     ],
 )
 def test_in_a_sum_of_squares_every_term_vanishes(text: str, terms: set[str]) -> None:
-    ring, (polynomial, *others) = polynomials(text, *sorted(terms))
+    ring, (polynomial, *others) = in_one_ring(text, *sorted(terms))
     found = vanishing_together(ring, POSITIVE, polynomial)
     assert found is not None
     # The lengths a and b are not zero and may stay.
@@ -131,7 +121,7 @@ def test_in_a_sum_of_squares_every_term_vanishes(text: str, terms: set[str]) -> 
 
 @pytest.mark.parametrize("text", ["x^2 - y^2", "sin(p)^2 - cos(q)^2", "x*y + x^2"])
 def test_what_may_have_other_zeros_is_no_sum_of_squares(text: str) -> None:
-    ring, (polynomial,) = polynomials(text)
+    ring, (polynomial,) = in_one_ring(text)
     assert vanishing_together(ring, POSITIVE, polynomial) is None
 
 
@@ -140,7 +130,7 @@ def test_what_may_have_other_zeros_is_no_sum_of_squares(text: str) -> None:
 )
 def test_a_sum_of_squares_is_a_locus_of_codimension_two(text: str) -> None:
     _, found = zeros(text)
-    _, (polynomial,) = polynomials(text)
+    _, (polynomial,) = in_one_ring(text)
     assert found.complete
     assert found.branches
     for branch in found.branches:
@@ -160,7 +150,7 @@ def test_two_squares_multiplied_out_are_a_locus_of_codimension_two(
     text: str, halves: list[str]
 ) -> None:
     ring, decomposed = zeros(text, *(f"0*({half})" for half in halves))
-    own, wanted = polynomials(text, *halves)
+    own, wanted = in_one_ring(text, *halves)
     assert own.names == ring.names
     assert decomposed.complete
     assert decomposed.branches
@@ -171,7 +161,7 @@ def test_two_squares_multiplied_out_are_a_locus_of_codimension_two(
 
 def test_a_square_and_lengths_are_never_zero() -> None:
     """Three quarters of it are (x − 2y/3)² + 5y²/9 + 4ab/3."""
-    ring, (polynomial,) = polynomials("3*x^2 - 4*x*y + 3*y^2 + 4*a*b")
+    ring, (polynomial,) = in_one_ring("3*x^2 - 4*x*y + 3*y^2 + 4*a*b")
     assert vanishing_together(ring, POSITIVE, polynomial) == [ring.one]
 
 
@@ -185,7 +175,7 @@ def test_a_square_and_lengths_are_never_zero() -> None:
     ],
 )
 def test_differences_of_squares_and_products_are_left(text: str) -> None:
-    ring, (polynomial,) = polynomials(text)
+    ring, (polynomial,) = in_one_ring(text)
     assert vanishing_together(ring, POSITIVE, polynomial) is None
 
 
@@ -193,7 +183,7 @@ def test_roots_of_squares_are_in_normal_form() -> None:
     """The angle p is real only where (1 + t²)² ≤ (1 − t²)², which is where t = 0."""
     t = "(x*sin(q)^2 - sin(q)*cos(q))"
     text = f"({t}^2 - 1)*sin(p) + {t}^2 + 1"
-    ring, (polynomial, root) = polynomials(text, t)
+    ring, (polynomial, root) = in_one_ring(text, t)
     found = vanishing_together(ring, Assumptions(), polynomial)
     assert found is not None
     assert [primitive(p) for p in found] == [primitive(root), primitive(polynomial)]
@@ -209,7 +199,7 @@ def test_an_axis_is_zero_on_no_branch_whether_points_are_found_or_not() -> None:
         "z": "sin(b) + cos(b)*sin(c) + 2*cos(b)*cos(c)",
     }
     texts = [f"{spins['x']} + 1", f"{spins['y']} - 3", f"{spins['z']} + 2"]
-    ring, leg = polynomials(*texts)
+    ring, leg = in_one_ring(*texts)
     root = Branch(ring, Assumptions(), directions=(tuple(leg),))
     zeros = common_zeros(root, leg, Search(FactorLibrary(ring)))
     assert zeros.complete
@@ -236,7 +226,7 @@ def test_what_is_zero_nowhere_is_divided_out() -> None:
     """Also where √3 and s² = 1 − c² hide the factor."""
     square = "(x - sqrt(3)*y*cos(q))^2 + (1 + y*sin(q))^2 + sin(p)^2"
     rest = "(x*sin(q) + sqrt(3)*y - cos(p))*(y^2 + 3*x*cos(p) - 2)"
-    ring, (product, divisor, plain) = polynomials(f"({square})*({rest})", square, rest)
+    ring, (product, divisor, plain) = in_one_ring(f"({square})*({rest})", square, rest)
     (found,) = without_nowhere_zero(ring, [product], [divisor])
     assert found in (plain, -plain)
     (kept,) = without_nowhere_zero(ring, [plain * plain], [divisor])
@@ -253,7 +243,7 @@ def test_a_number_is_not_divided_out(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(Divisor, "divide", counted)
     long = "(x + y + sqrt(3)*cos(q))^4*(1 - x*sin(q))^2"
-    ring, (whole, root, unit) = polynomials(long, "sqrt(3)", "2 + sqrt(3)")
+    ring, (whole, root, unit) = in_one_ring(long, "sqrt(3)", "2 + sqrt(3)")
     assert len(whole) > FACTORED
     assert without_nowhere_zero(ring, [whole], [root, unit]) == [whole]
 
@@ -266,7 +256,7 @@ def test_an_angle_in_numbers_is_not_two_angles() -> None:
     texts = "5*cos(q) - 3", "5*sin(q) - 4"
     ring, found = zeros(*texts)
     assert found.branches
-    _, conditions = polynomials(*texts)
+    _, conditions = in_one_ring(*texts)
     for branch in found.branches:
         assert branch.points
         assert not any(residue(c, *at) for c in conditions for at in branch.points)
@@ -275,7 +265,7 @@ def test_an_angle_in_numbers_is_not_two_angles() -> None:
 
 def test_what_an_angle_in_numbers_implies_holds_after_later_steps() -> None:
     """With s = 3 − 4c on the circle 17c² − 24c + 8 = 0, also when x takes c's place."""
-    ring, (angle, equal, implied) = polynomials(
+    ring, (angle, equal, implied) = in_one_ring(
         "sin(q) + 4*cos(q) - 3", "x - cos(q)", "17*x^2 - 24*x + 8"
     )
     (first,) = restricted(Branch(ring, POSITIVE), angle)
@@ -285,7 +275,7 @@ def test_what_an_angle_in_numbers_implies_holds_after_later_steps() -> None:
 
 def test_conditions_that_follow_from_others_leave_points() -> None:
     """The three minors of a matrix of two rows: where two vanish so does the third."""
-    ring, minors = polynomials("x*y - z*w", "x*u - z*v", "w*u - y*v")
+    ring, minors = in_one_ring("x*y - z*w", "x*u - z*v", "w*u - y*v")
     pending = tuple(Pending(minor, minor) for minor in minors)
     branch = Branch(ring, POSITIVE, tuple(minors), pending=pending, thorough=True)
     assert branch.points
@@ -294,19 +284,19 @@ def test_conditions_that_follow_from_others_leave_points() -> None:
 
 def test_a_sum_that_touches_zero_has_few_real_zeros() -> None:
     """a² + b² − 2ab cos q is the square of the third side of a triangle."""
-    ring, (side, flat) = polynomials("a^2 + b^2 - 2*a*b*cos(q)", "a^2 - b^2")
+    ring, (side, flat) = in_one_ring("a^2 + b^2 - 2*a*b*cos(q)", "a^2 - b^2")
     found = vanishing_together(ring, Assumptions(), side)
     assert found is not None
     assert any(p in (flat, -flat) for p in found)
-    ring, (two_angles,) = polynomials("2 + 2*cos(p)*cos(q) - sin(p)*sin(q)")
+    ring, (two_angles,) = in_one_ring("2 + 2*cos(p)*cos(q) - sin(p)*sin(q)")
     # 4 − 4 cos² p − sin² p = 3 sin² p must not be positive.
     found = vanishing_together(ring, Assumptions(), two_angles)
     assert found is not None
     assert any(len(p) == 1 for p in found)
-    ring, (far,) = polynomials("3*x + x*sin(q) + 2*x*cos(q)*sin(p)")
+    ring, (far,) = in_one_ring("3*x + x*sin(q) + 2*x*cos(q)*sin(p)")
     # 9 − sin² q − 4 cos² q sin² p is no square: nothing is said.
     assert vanishing_together(ring, Assumptions(), far) is None
-    ring, (never,) = polynomials("3 + sin(q)")
+    ring, (never,) = in_one_ring("3 + sin(q)")
     assert restricted(Branch(ring, POSITIVE), never) == []
 
 
@@ -316,14 +306,14 @@ def test_many_angles_are_not_multiplied_out() -> None:
     e² − y² is no square where e is the sum of them: at exact points already.
     """
     squares = " + ".join(f"u{k}*cos(p{k})^2" for k in range(10))
-    ring, (polynomial,) = polynomials(f"y*sin(q) + {squares}")
+    ring, (polynomial,) = in_one_ring(f"y*sin(q) + {squares}")
     assert vanishing_together(ring, POSITIVE, polynomial) is None
 
 
 def test_a_factor_in_half_angles_is_kept_with_all_its_equations() -> None:
     """4u(xu³ + v³) with u = sin q/2, v = cos q/2: q = 0, or a cubic in tan q/2."""
     text = "x*(1 - cos(q))^2 + sin(q)*(1 + cos(q))"
-    ring, (condition, beside) = polynomials(
+    ring, (condition, beside) = in_one_ring(
         text, "x*sin(q)*(1 - cos(q)) + (1 + cos(q))^2"
     )
     found = common_zeros(
@@ -338,7 +328,7 @@ def test_a_factor_in_half_angles_is_kept_with_all_its_equations() -> None:
 
 def test_a_piece_is_taken_apart_where_a_coefficient_vanishes() -> None:
     """Planes x sin p = z cos p and y sin r = z cos r, and what stands upright."""
-    ring, conditions = polynomials("x*sin(p) - z*cos(p)", "y*sin(r) - z*cos(r)")
+    ring, conditions = in_one_ring("x*sin(p) - z*cos(p)", "y*sin(r) - z*cos(r)")
     search = Search(FactorLibrary(ring))
     branch = Branch(ring, POSITIVE)
     for condition in conditions:
@@ -362,7 +352,7 @@ def test_a_piece_is_taken_apart_where_a_coefficient_vanishes() -> None:
 
 
 def test_what_a_known_piece_says_is_not_found_again() -> None:
-    ring, (product, known, other) = polynomials(
+    ring, (product, known, other) = in_one_ring(
         "(x - y)*(x + y - 1)", "x - y", "x + y - 1"
     )
     search = Search(FactorLibrary(ring), away=(known,))
@@ -372,7 +362,7 @@ def test_what_a_known_piece_says_is_not_found_again() -> None:
 
 def test_an_angle_that_a_number_fixes_is_not_fixed_again() -> None:
     """Normal forms write sin² q by cos q, which is known: 1 − 9/100."""
-    ring, (first, second, third) = polynomials(
+    ring, (first, second, third) = in_one_ring(
         "10*cos(q) + 3", "5*sin(p)*sin(q) + 2", "50*cos(p)*sin(q) + 25*sqrt(3)"
     )
     (fixed,) = restricted(Branch(ring, POSITIVE), first)
@@ -398,7 +388,7 @@ def test_an_angle_that_a_number_fixes_is_not_fixed_again() -> None:
     ],
 )
 def test_irrational_numbers_fix_an_angle(text: str, count: int | None) -> None:
-    ring, (condition,) = polynomials(text)
+    ring, (condition,) = in_one_ring(text)
     steps = steps_of(ring, POSITIVE, condition)
     assert (None if steps is None else len(steps)) == count
     if count == 1:
@@ -426,7 +416,7 @@ def test_long_products_over_square_roots_hide_no_parts(shared: str) -> None:
     """
     other = TWO if shared == ONE else ONE
     found = zeros(f"{shared}*{other}", f"{shared}*{THREE}")[1]
-    (part,) = polynomials(f"{shared}*{other}", f"{shared}*{THREE}", shared)[1][2:]
+    (part,) = in_one_ring(f"{shared}*{other}", f"{shared}*{THREE}", shared)[1][2:]
     if found.complete:
         assert any(str(part) in map(str, b.conditions) for b in found.branches)
 
@@ -440,13 +430,13 @@ def test_what_squares_imply_is_not_added_time_and_again(case: str) -> None:
 
 def test_a_condition_that_later_ones_imply_takes_no_dimension() -> None:
     """x·sin p + z·cos p = 0 cannot be solved, and says nothing where z = sin p = 0."""
-    ring, (first, z, sine) = polynomials("x*sin(p) + z*cos(p)", "z", "sin(p)")
+    ring, (first, z, sine) = in_one_ring("x*sin(p) + z*cos(p)", "z", "sin(p)")
     (unsolved,) = restricted(Branch(ring, Assumptions()), first)
     assert unsolved.pending
     (flat,) = restricted(unsolved, z)
     for branch in restricted(flat, sine):
-        assert branch.codimension == 3
-        assert branch.independent == 2
+        assert len(branch.conditions) == 3
+        assert branch.codimension == 2
         point, prime = branch.points[0]
         rows = [differential(ring, c, point, prime) for c in (z, sine)]
         assert rank(rows, prime) == 2

@@ -5,22 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from one_ring import in_one_ring
 
 from screwkit.algebra import common_factors
 from screwkit.algebra.common_factors import without_common_factors
-from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.factors import FactorLibrary, factor
-from screwkit.algebra.parse import parse
-from screwkit.algebra.survey import SurveyRing
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
-
-
-def polynomials(*texts: str) -> tuple[TrigonometricRing, list[Polynomial]]:
-    seen = SurveyRing()
-    for text in texts:
-        evaluate(parse(text), seen)
-    ring = TrigonometricRing(seen)
-    return ring, [ring.normal(evaluate(parse(text), ring)) for text in texts]
 
 
 @pytest.mark.parametrize(
@@ -37,7 +26,7 @@ def polynomials(*texts: str) -> tuple[TrigonometricRing, list[Polynomial]]:
 )
 def test_a_shared_factor_is_divided_out(shared: str, rest: tuple[str, ...]) -> None:
     texts = [f"({shared})*({entry})" for entry in rest]
-    ring, both = polynomials(*texts, *rest, shared)
+    ring, both = in_one_ring(*texts, *rest, shared)
     product, plain = both[: len(rest)], both[len(rest) : 2 * len(rest)]
     found = list(without_common_factors(ring, product))
     assert max(map(len, found)) <= max(map(len, plain))
@@ -50,7 +39,7 @@ def test_a_shared_factor_is_divided_out(shared: str, rest: tuple[str, ...]) -> N
 def test_the_same_column_is_asked_once_for_each_library(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    ring, column = polynomials("a*sin(q)", "b*sin(q)", "sin(q)^2")
+    ring, column = in_one_ring("a*sin(q)", "b*sin(q)", "sin(q)^2")
     asked = []
 
     def counted(*given: Any) -> Any:
@@ -69,5 +58,5 @@ def test_the_same_column_is_asked_once_for_each_library(
 
 
 def test_columns_without_a_shared_factor_stay() -> None:
-    ring, column = polynomials("sin(q)", "cos(q)", "a")
+    ring, column = in_one_ring("sin(q)", "cos(q)", "a")
     assert list(without_common_factors(ring, column)) == column

@@ -7,14 +7,11 @@ all zeros of the divisor there is none.
 from __future__ import annotations
 
 import pytest
+from one_ring import in_one_ring
 
 from screwkit.algebra.division import Divisor
-from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.half_angle import HalfAngles
-from screwkit.algebra.parse import parse
 from screwkit.algebra.restrictions import Layout
-from screwkit.algebra.survey import SurveyRing
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 DIVISORS = [
     "a*sin(q) + b*cos(q)",
@@ -27,18 +24,10 @@ DIVISORS = [
 QUOTIENTS = ["cos(q)", "a*sin(p) + cos(q)^2 - b", "1/7*a + sqrt(3)*sin(q)"]
 
 
-def polynomials(*texts: str) -> tuple[TrigonometricRing, list[Polynomial]]:
-    seen = SurveyRing()
-    for text in texts:
-        evaluate(parse(text), seen)
-    ring = TrigonometricRing(seen)
-    return ring, [ring.normal(evaluate(parse(text), ring)) for text in texts]
-
-
 @pytest.mark.parametrize("divisor", DIVISORS)
 @pytest.mark.parametrize("quotient", QUOTIENTS)
 def test_products_are_divided_and_nothing_else(divisor: str, quotient: str) -> None:
-    ring, (below, wanted, *others) = polynomials(
+    ring, (below, wanted, *others) = in_one_ring(
         divisor, quotient, "a", "sin(p)", "sqrt(3)*cos(q) - b"
     )
     layout = Layout.of(ring)

@@ -9,6 +9,7 @@ from pathlib import Path
 from time import perf_counter
 
 import pytest
+from one_ring import in_one_ring
 
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.expression import ZERO
@@ -28,11 +29,8 @@ REFERENCE = Path(__file__).parents[1] / "reference" / "nao_schemes.json"
 
 
 def polynomial(text: str) -> tuple[TrigonometricRing, Polynomial]:
-    expression = parse(text)
-    survey = SurveyRing()
-    evaluate(expression, survey)
-    ring = TrigonometricRing(survey)
-    return ring, evaluate(expression, ring)
+    ring, (value,) = in_one_ring(text)
+    return ring, value
 
 
 def factored(text: str) -> tuple[TrigonometricRing, Polynomial, Factored]:

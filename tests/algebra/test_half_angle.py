@@ -1,6 +1,7 @@
 """Half-angle forms go there and back; proofs of irreducibility are never wrong."""
 
 import pytest
+from one_ring import in_one_ring
 
 from screwkit.algebra.division import Divisor
 from screwkit.algebra.evaluation import evaluate
@@ -8,18 +9,14 @@ from screwkit.algebra.half_angle import Form, HalfAngles
 from screwkit.algebra.irreducible import is_irreducible, shape
 from screwkit.algebra.parse import parse
 from screwkit.algebra.restrictions import Layout, Probe
-from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 LONG = "(a*sin(q1)*cos(q2) + b*sin(q3)*cos(q1) + c*sin(q2 + q3) + a*b)^3"
 
 
 def polynomial(text: str) -> tuple[TrigonometricRing, Polynomial]:
-    expression = parse(text)
-    survey = SurveyRing()
-    evaluate(expression, survey)
-    ring = TrigonometricRing(survey)
-    return ring, evaluate(expression, ring)
+    ring, (value,) = in_one_ring(text)
+    return ring, value
 
 
 def halves(ring: TrigonometricRing) -> HalfAngles:

@@ -5,32 +5,22 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
+from one_ring import in_one_ring
 
-from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.known_angles import (
     turns_of_cosine,
     turns_of_direction,
     turns_of_tangent,
 )
-from screwkit.algebra.parse import parse
-from screwkit.algebra.survey import SurveyRing
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
-
-
-def numbers(*texts: str) -> tuple[TrigonometricRing, list[Polynomial]]:
-    parsed = [parse(text) for text in texts]
-    survey = SurveyRing()
-    for one in parsed:
-        evaluate(one, survey)
-    ring = TrigonometricRing(survey)
-    return ring, [ring.normal(evaluate(one, ring)) for one in parsed]
 
 
 @pytest.mark.parametrize("parts", [1, 2, 3, 5, 7, 8, 12])
 def test_multiples_of_a_part_of_a_half_turn_are_told(parts: int) -> None:
     for k in range(1 - parts, parts + 1):
         turns = Fraction(k, parts)
-        ring, (cosine, sine) = numbers(f"cos({k}*pi/{parts})", f"sin({k}*pi/{parts})")
+        ring, (cosine, sine) = in_one_ring(
+            f"cos({k}*pi/{parts})", f"sin({k}*pi/{parts})"
+        )
         assert turns_of_direction(ring, cosine, sine) == turns
         assert turns_of_cosine(ring, cosine) == abs(turns)
 
@@ -46,7 +36,7 @@ def test_multiples_of_a_part_of_a_half_turn_are_told(parts: int) -> None:
     ],
 )
 def test_tangents_are_told(tangent: str, turns: Fraction | None) -> None:
-    ring, (number,) = numbers(tangent)
+    ring, (number,) = in_one_ring(tangent)
     assert turns_of_tangent(ring, number) == turns
 
 
@@ -56,5 +46,5 @@ def test_other_cosines_are_not(cosine: str) -> None:
 
     It lies in [−2, 2] with its conjugates; −2·√2 − 2 does not.
     """
-    ring, (number,) = numbers(cosine)
+    ring, (number,) = in_one_ring(cosine)
     assert turns_of_cosine(ring, number) is None

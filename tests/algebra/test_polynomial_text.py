@@ -1,20 +1,16 @@
 """Canonical text is a fixed point and reads back."""
 
 import pytest
+from one_ring import in_one_ring
 
 from screwkit.algebra.evaluation import evaluate
-from screwkit.algebra.parse import parse
 from screwkit.algebra.polynomial_text import equation_text, text, to_expression
-from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 
-def polynomial(written: str) -> tuple[TrigonometricRing, Polynomial]:
-    expression = parse(written)
-    survey = SurveyRing()
-    evaluate(expression, survey)
-    ring = TrigonometricRing(survey)
-    return ring, evaluate(expression, ring)
+def polynomial(text: str) -> tuple[TrigonometricRing, Polynomial]:
+    ring, (value,) = in_one_ring(text)
+    return ring, value
 
 
 @pytest.mark.parametrize(

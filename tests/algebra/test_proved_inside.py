@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from algebra.test_case_distinctions import POSITIVE, polynomials
+from algebra.test_case_distinctions import POSITIVE
+from one_ring import in_one_ring
 
 from screwkit.algebra.branches import Branch, Pending, restricted
 from screwkit.algebra.decomposition import common_zeros
@@ -22,7 +23,7 @@ KNOWN = "a*sin(p) + b*cos(p)"
 
 def system(*texts: str) -> tuple[Branch, list[Polynomial]]:
     """A branch on which the first two are pending, and the others."""
-    ring, (first, second, *others) = polynomials(*texts)
+    ring, (first, second, *others) = in_one_ring(*texts)
     pending = Pending(first, first), Pending(second, second)
     conditions = first, second
     return Branch(ring, POSITIVE, conditions=conditions, pending=pending), others
@@ -79,7 +80,7 @@ def test_a_sum_of_the_conditions_leaves_nothing_over() -> None:
 
 def test_points_on_a_condition_with_an_angle_that_is_a_number() -> None:
     """On cos p = 1/3 the sine is a root, whatever else is moved."""
-    ring, (number, circle) = polynomials("3*cos(p) - 1", "x^2 + y^2*sin(p) - a^2")
+    ring, (number, circle) = in_one_ring("3*cos(p) - 1", "x^2 + y^2*sin(p) - a^2")
     (on_number,) = restricted(Branch(ring, POSITIVE), number)
     (both,) = restricted(on_number, on_number.value(circle))
     assert both.pending

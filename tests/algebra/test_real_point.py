@@ -16,13 +16,21 @@ from screwkit.algebra.real_point import RealPoint, real_point
 GIVEN = {"a": Fraction(3), "b": Fraction(1)}
 
 
-def on(*texts: str, case: str = "3upu_tsai") -> RealPoint | None:
+def on(*texts: str, case: str = "3upu_tsai", vanishing: str = "0") -> RealPoint | None:
     """A real point of conditions in the symbols of a case."""
     assembly = sk.load(case).assembly
     ring = assembly.common_twists.ring
     conditions = tuple(ring.normal(evaluate(parse(text), ring)) for text in texts)
     branch = Branch(ring, assembly.assumptions, conditions=conditions)
-    return real_point(branch, GIVEN, 1)
+    both = ring.normal(evaluate(parse(vanishing), ring))
+    return real_point(branch, GIVEN, 1, equations=[both])
+
+
+@pytest.mark.parametrize("name", ["x", "y"])
+def test_of_two_parts_that_one_is_meant_on_which_more_vanishes(name: str) -> None:
+    found = on("x*y", "z - b/2", vanishing=name)
+    assert found is not None
+    assert found.numbers[name] == pytest.approx(0, abs=1e-12)
 
 
 def test_a_point_of_a_sphere_and_a_plane_lies_on_both() -> None:

@@ -2,23 +2,14 @@
 
 from __future__ import annotations
 
-from screwkit.algebra.evaluation import evaluate
-from screwkit.algebra.parse import parse
+from one_ring import in_one_ring
+
 from screwkit.algebra.sums_of_conditions import (
     Combination,
     times_constants,
     without_symbols,
 )
-from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
-
-
-def read(*texts: str) -> tuple[TrigonometricRing, list[Polynomial]]:
-    survey = SurveyRing()
-    for text in texts:
-        evaluate(parse(text), survey)
-    ring = TrigonometricRing(survey)
-    return ring, [evaluate(parse(text), ring) for text in texts]
 
 
 def holds(
@@ -44,7 +35,7 @@ def test_minors_of_columns_that_depend_follow_from_the_others() -> None:
         ]
         return " + ".join(terms)
 
-    ring, minors = read(*(minor(i) for i in range(4)))
+    ring, minors = in_one_ring(*(minor(i) for i in range(4)))
     pitches = [
         index
         for name, index in zip(ring.symbols, ring.symbol_indices(), strict=True)
@@ -64,7 +55,7 @@ def test_minors_of_columns_that_depend_follow_from_the_others() -> None:
 def test_a_symbol_is_taken_out_of_a_condition_of_higher_degree() -> None:
     """On y·c = x·s: c²·(x² + y² − r²) = x² − r²·c², a product."""
     *texts, product = "x*sin(q) - y*cos(q)", "x^2 + y^2 - r^2", "x^2 - r^2*cos(q)^2"
-    ring, (*conditions, wanted) = read(*texts, product)
+    ring, (*conditions, wanted) = in_one_ring(*texts, product)
     found = [*without_symbols(ring, conditions)]
     assert all(holds(ring, own, conditions) for own in found)
     assert any(own.value in (wanted, -wanted) for own in found)

@@ -15,7 +15,10 @@ from scipy.optimize import least_squares
 from typer.testing import CliRunner
 
 import screwkit as sk
+from screwkit.case import load_text
 from screwkit.commands import app
+from screwkit.kinematics.whole_graph import WholeGraph
+from screwkit.loci.graph_states import GraphStates
 from screwkit.reports.article import article
 from screwkit.reports.records import from_json, to_json
 from screwkit.reports.verdict import is_plain_yes
@@ -274,6 +277,41 @@ def test_the_article_has_a_table_of_them() -> None:
     written = str(article(analysis))
     assert "Where singularities meet" in written
     assert "table:strata" in written
+
+
+ARM = """\
+screwkit: 1
+name: arm
+title: Four hinges, of which 1 and 3 can be one line, and then 2 and 4 parallel
+geometry: mdh
+base: ground
+platform: hand
+links: [ground, one, two, three, hand]
+parameters: {b: {value: 0.3, positive: true}, c: {value: 0.3, positive: true}}
+joints:
+- {name: A1, type: revolute, parent: ground, child: one, mdh: {alpha: pi/2, d: b}}
+- {name: A2, type: revolute, parent: one, child: two, mdh: {alpha: pi/2}}
+- {name: A3, type: revolute, parent: two, child: three, mdh: {alpha: pi/2, r: c}}
+- {name: A4, type: revolute, parent: three, child: hand, mdh: {alpha: pi/2}}
+"""
+
+
+@pytest.mark.parametrize("as_graph", [False, True])
+def test_a_translation_that_some_postures_have_is_not_everywhere(
+    as_graph: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With q2 = 0 three rotations are left; with q3 = 0 two of them are parallel."""
+    if as_graph:
+        monkeypatch.setattr(
+            "screwkit.questions._states",
+            lambda case, _: GraphStates(WholeGraph(case.mechanism), None),
+        )
+    strata = sk.singularities(load_text(ARM), strata=1).strata
+    assert strata is not None
+    (flat,) = strata.strata
+    assert flat.equations == ("sin(qA2)",)
+    assert flat.state.motion_type == "0T3R"
+    assert flat.holds == "generally"
 
 
 def test_what_is_left_open_is_told_and_makes_the_answer_undecided() -> None:

@@ -75,6 +75,13 @@ TWO_LENGTHS = three_joints(
     "[c, 0]",
     "[c + (a - b)*cos(q), (a - b)*sin(q)]",
 )
+# det: c·(5·sin q − 3), which vanishes at (3/5, 4/5) and (3/5, −4/5).
+ONE_HEIGHT = three_joints(
+    "parameters: {c: {value: 1, positive: true}}\n"
+    "variables: {q: {value: 0.3, angle: true}}",
+    "[c, 0]",
+    "[cos(q), 5*sin(q) - 3]",
+)
 # Four helical joints of equal pitch at 0, (x1, y1), (x2, y2), (x3, y3): two loops'
 # wrenches depend where all are in one plane, by three equations.
 HELICAL = Path(str(load("4H_equal_pitch").path)).read_text(encoding="utf-8")

@@ -20,6 +20,7 @@ from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.case import load, load_text
 from screwkit.certificates.checking import check
+from screwkit.certificates.findings import Findings
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.texts import RefusedError
 from screwkit.certificates.written import from_text
@@ -184,6 +185,55 @@ def a_lower_rank(document: dict[str, Any]) -> None:
 def test_forgeries_are_refused(forge: Callable[[dict[str, Any]], None]) -> None:
     document = json.loads(written(FOUR_BAR))
     forge(document)
+    refused(document, FOUR_BAR)
+
+
+def dead_points(document: dict[str, Any]) -> Any:
+    """The component of the crank: coupler and rocker on one line."""
+    (locus,) = part_of(document, "actuation")["components"]
+    return locus
+
+
+def findings(document: dict[str, Any]) -> Findings:
+    certificate = from_text(json.dumps(document))
+    return check(certificate, load_text(FOUR_BAR).mechanism, 5)[-1]
+
+
+def test_a_component_at_closed_postures_is_met_on_all_sheets() -> None:
+    """By hand: the loop's equations and the component's say l2·sin q3 = 0."""
+    document = json.loads(written(FOUR_BAR))
+    assert not findings(document).sampled_components
+    del dead_points(document)["cover"]
+    assert findings(document).sampled_components
+
+
+def test_open_postures_say_nothing_of_a_component() -> None:
+    """Of the crank's: where no loop closes the coupler may rest or move."""
+    document = json.loads(written(FOUR_BAR))
+    dead_points(document)["cover"] = {"number": 0, "sheet": True}
+    assert findings(document).sampled_components
+
+
+def sheets_of_sine(node: Any) -> list[Any]:
+    for case in node["cases"]:
+        if case["equations"] == ["sin(q3)"]:
+            sheets: list[Any] = case["sheets"]
+            return sheets
+    return sheets_of_sine(node["cases"][0]["sheets"][0]["node"])
+
+
+def test_a_sheet_of_a_component_is_not_left_out() -> None:
+    document = json.loads(written(FOUR_BAR))
+    sheets = sheets_of_sine(dead_points(document)["cover"])
+    assert len(sheets) == 2
+    sheets.pop()
+    refused(document, FOUR_BAR)
+
+
+def test_another_component_is_not_met_by_the_same_tree() -> None:
+    """Crank and rocker on one line with the ground, where nothing is singular."""
+    document = json.loads(written(FOUR_BAR))
+    dead_points(document)["equations"] = ["sin(q1 - q4)"]
     refused(document, FOUR_BAR)
 
 

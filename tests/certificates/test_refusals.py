@@ -23,7 +23,7 @@ from certificates.forged import (
 
 import screwkit
 from screwkit.case import load_text
-from screwkit.certificates.checking import _PartCheck
+from screwkit.certificates.checking import PartCheck
 from screwkit.certificates.general_claims import GeneralClaims
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import (
@@ -181,8 +181,8 @@ def test_where_a_length_vanishes_nothing_is() -> None:
             part_check(PRODUCT)._node(Node(0, vanishing=name), way)
 
 
-def part_check(mechanism: str) -> _PartCheck:
-    return _PartCheck(load_text(mechanism).mechanism, limb(), random.Random(2))
+def part_check(mechanism: str) -> PartCheck:
+    return PartCheck(load_text(mechanism).mechanism, limb(), random.Random(2))
 
 
 def sheet(number: int) -> Node:

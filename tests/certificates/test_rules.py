@@ -23,7 +23,7 @@ from screwkit.algebra.sums_of_conditions import (
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.case import load_text
-from screwkit.certificates.checking import _PartCheck
+from screwkit.certificates.checking import PartCheck
 from screwkit.certificates.conditions import (
     Conditions,
     Place,
@@ -310,7 +310,7 @@ def test_an_axis_ends_where_each_of_its_coordinates_does() -> None:
             (Reach((Step("symbol", symbol="x", value="0"),)),),
             Node(0, condition=0, cases=(Case(("x",), 1, kept=inner),)),
         )
-        checker = _PartCheck(
+        checker = PartCheck(
             load_text(AXES).mechanism,
             Part("limb", "ground", (), 2, (locus,), limb="limb_1"),
             random.Random(1),

@@ -12,13 +12,13 @@ import pytest
 from certificates.forged import (
     HEAD,
     IN_LINE,
+    ONE_HEIGHT,
     POSITIVE,
     TWO_LENGTHS,
     certificate,
     judged,
     limb,
     minor,
-    three_joints,
     turned,
 )
 
@@ -130,15 +130,6 @@ def test_a_platform_still_on_one_sheet_alone_may_move() -> None:
     hidden = replace(smaller, roots=(Unsolved("x*b", symbol="x"),))
     with pytest.raises(RefusedError, match="moves"):
         judged(TWO_LIMBS, two_limbs(minor(Case(("x*b",), 1, kept=hidden))))
-
-
-# det: c·(5·sin q − 3), which vanishes at (3/5, 4/5) and (3/5, −4/5).
-ONE_HEIGHT = three_joints(
-    "parameters: {c: {value: 1, positive: true}}\n"
-    "variables: {q: {value: 0.3, angle: true}}",
-    "[c, 0]",
-    "[cos(q), 5*sin(q) - 3]",
-)
 
 
 def test_both_solutions_in_numbers_are_looked_at() -> None:

@@ -17,6 +17,7 @@ from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
+from screwkit.analyses.singularities import limb_singularities
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.conjunctions import Conjunction, conjunction
 from screwkit.loci.features import Axis, Features, Point, statements
@@ -330,3 +331,29 @@ def test_sentences_count_components_as_the_answer_does() -> None:
             other = answer.constraint.components[int(told) - before - 1]
             assert f"here and on component {number})" in (other.geometry or "")
     assert "here and on component 5" in (answer.constraint.components[0].geometry or "")
+
+
+def test_a_statement_of_several_components_names_them_all() -> None:
+    """Four axes through one point have rank 2 exactly where one plane holds them."""
+    answer = _answer("spherical_four_bar")
+    before = sum(len(limb.components) for limb in answer.limb)
+    listed = answer.constraint.components
+    assert {one.rank for one in listed} == {2}
+    plane = "axes a, b, d and c lie in one plane"
+    several = [one for one in listed if re.search("on components", one.geometry or "")]
+    assert len(several) == 2
+    for one in several:
+        others = [str(n) for n, o in enumerate(listed, before + 1) if o is not one]
+        there = f"{', '.join(others[:-1])} and {others[-1]}"
+        assert one.geometry == f"{plane} (here and on components {there})"
+
+
+def test_a_stretched_arm_is_told_once_for_all_its_components() -> None:
+    """Of an arm and a point contact in the plane: its four axes are parallel."""
+    arms = Assembly(sk.load("dual_planar_3r").mechanism)
+    found = limb_singularities(arms, arms.limbs[0]).components
+    assert len(found) == 4
+    assert {one.geometry for one in found} == {
+        "axes a1, a2, a3 and ca lie in one plane (here and on the other components "
+        "of the limb)"
+    }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from one_ring import in_one_ring
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch, restricted, without
@@ -39,18 +40,9 @@ def pieces_where(*systems: list[str]) -> list[list[Piece]]:
     return found
 
 
-def in_common_ring(texts: list[str]) -> tuple[TrigonometricRing, list[Polynomial]]:
-    survey = SurveyRing()
-    parsed = [parse(text) for text in texts]
-    for one in parsed:
-        evaluate(one, survey)
-    ring = TrigonometricRing(survey)
-    return ring, [ring.normal(evaluate(one, ring)) for one in parsed]
-
-
 def in_ring_of(text: str, number: str) -> tuple[TrigonometricRing, Polynomial]:
     """A polynomial in a ring that contains a number beside it."""
-    ring, (polynomial, _) = in_common_ring([text, number])
+    ring, (polynomial, _) = in_one_ring(text, number)
     return ring, polynomial
 
 
@@ -177,7 +169,7 @@ def test_what_holds_already_is_imposed_once() -> None:
     """
     one = "b*cos(p)*sin(s) - a*sin(s) - y*sin(s) - z*cos(s)"
     other = "cos(s)*sin(t)*cos(u) + sin(s)*cos(t)*sin(u)"
-    ring, (first, second) = in_common_ring([one, other])
+    ring, (first, second) = in_one_ring(one, other)
     root, search = Branch(ring, Assumptions(frozenset())), Search(FactorLibrary(ring))
     told = [first, second, second, first, second]
     piece = recovered(root, told, 2, search)

@@ -9,31 +9,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 from loci.numeric import Array, value
+from one_ring import in_one_ring
 from scipy.optimize import least_squares
 
 import screwkit as sk
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros
-from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.factor_library import FactorLibrary
-from screwkit.algebra.parse import parse
 from screwkit.algebra.search import Search
-from screwkit.algebra.survey import SurveyRing
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.loci.pieces import Piece
 from screwkit.loci.shorter_equations import with_shorter_equations
 
 SYMBOLS = ("a", "b", "h", "z", "u", "v", "s1", "s2", "s3")
-
-
-def in_one_ring(*texts: str) -> tuple[TrigonometricRing, list[Polynomial]]:
-    parsed = [parse(text) for text in texts]
-    survey = SurveyRing()
-    for expression in parsed:
-        evaluate(expression, survey)
-    ring = TrigonometricRing(survey)
-    return ring, [ring.normal(evaluate(expression, ring)) for expression in parsed]
 
 
 @pytest.mark.parametrize(

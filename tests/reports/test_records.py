@@ -15,9 +15,9 @@ from screwkit.reports.records import (
     from_json,
     json_schema_of_results,
     part_from_json,
-    part_to_json,
     to_json,
 )
+from screwkit.reports.wire import part_to_json
 from screwkit.results.mobility import FullCycle
 
 EVERY = [
