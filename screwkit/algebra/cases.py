@@ -70,7 +70,7 @@ def shortest_choice(
         own, cases = _on_directions(branch, polynomial, fixed, library)
         if len(polynomial) <= (largest if best else max(largest, _ALONE)):
             plain = possible_factors(branch, polynomial, library)
-            if not own or len(plain) >= len(cases):
+            if not own or len(plain) >= _in_postures(branch, cases):
                 own, cases = (), plain
         elif not own:
             break
@@ -103,6 +103,15 @@ def _on_directions(
         return (), []
     both = (parts.content, parts.rest)
     return own, [f for p in both for f in possible_factors(branch, p, library)]
+
+
+def _in_postures(branch: Branch, cases: Sequence[Factor]) -> int:
+    """How many of some factors speak of postures, not of dimensions alone."""
+    degrees = (f.equations[0].degrees() for f in cases)
+    return sum(
+        any(d and k not in branch.dimensions for k, d in enumerate(own))
+        for own in degrees
+    )
 
 
 def _cost(

@@ -261,18 +261,41 @@ def _divisor(ring: TrigonometricRing, polynomial: Polynomial) -> Divisor:
 
 
 def _written(
-    ring: TrigonometricRing,
-    parts: Mapping[_Key, Polynomial],
-    directions: Sequence[Direction],
+    ring: TrigonometricRing, parts: _Parts, directions: Sequence[Direction]
 ) -> Polynomial:
-    """The sum of E·w + O, by each direction of which both are there."""
-    lengths = [direction.length(ring) for direction in directions]
-    mixed = [len({key[k] for key in parts}) > 1 for k in range(len(directions))]
+    """The sum of the parts E + O/w, as a polynomial in the angles.
+
+    O = A·P + B·Q is written A·cos φ − B·sin φ where all O of a direction are such sums;
+    else E·w + O, which vanishes where P and Q do.
+    """
+    for direction in directions:
+        plain: _Parts = {}
+        odd: _Parts = {}
+        for (own, *key), value in parts.items():
+            (odd if own else plain)[tuple(key)] = value
+        if plain and odd:
+            turned = {key: _turned(ring, value, direction) for key, value in odd.items()}
+            whole = {key: value for key, value in turned.items() if value is not None}
+            if len(whole) == len(odd):
+                odd = whole
+            else:
+                length = direction.length(ring)
+                plain = {k: ring.normal(v * length) for k, v in plain.items()}
+        parts = {
+            key: ring.normal(plain.get(key, ring.zero) + odd.get(key, ring.zero))
+            for key in plain | odd
+        }
+    return parts[()]
+
+
+def _turned(
+    ring: TrigonometricRing, value: Polynomial, direction: Direction
+) -> Polynomial | None:
+    """A·cos φ − B·sin φ for A·P + B·Q; None where a remainder is left."""
     total = ring.zero
-    for key, value in parts.items():
-        term = value
-        for k, odd in enumerate(key):
-            if mixed[k] and not odd:
-                term = ring.normal(term * lengths[k])
-        total += term
-    return ring.normal(total)
+    cosine, sine = ring.cosines[direction.angle], ring.sines[direction.angle]
+    for one, by in ((direction.across, cosine), (direction.along, -sine)):
+        if one != 0:
+            quotient, value = divmod(value, one)
+            total += quotient * by
+    return ring.normal(total) if value == 0 else None
