@@ -26,6 +26,7 @@ from screwkit.algebra.cases import (
     terms_of,
     terms_of_squares,
 )
+from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.fixed_directions import (
     Direction,
@@ -145,7 +146,9 @@ def _descend(
     if choice is None:
         search.unfinished.append(branch)
         return
-    excluded = [*nonzero, *(d.square(branch.ring) for d in choice.directions)]
+    # Where a direction is excluded to be (0, 0) that was searched before.
+    free = [d for d in choice.directions if not _is_among(branch, d, nonzero)]
+    excluded = [*nonzero, *(d.square(branch.ring) for d in free)]
     for case in choice.cases:
         terms = None if search.deepest is not None else terms_of(branch, case)
         if terms is not None:
@@ -161,7 +164,7 @@ def _descend(
             _descend(child, [on_child.value(p) for p in left], kept, search)
         if len(case.equations) == 1:
             excluded.append(case.equations[0])
-    for direction in choice.directions:
+    for direction in free:
         # There the cases were not searched.
         _where_free(branch, direction, left, nonzero, search)
 
@@ -198,6 +201,14 @@ def _beside_what_is_skipped(
         if all(p != 0 for p in kept):
             _descend(part, [on_part.value(p) for p in polynomials], kept, search)
     return True
+
+
+def _is_among(
+    branch: Branch, direction: Direction, nonzero: Sequence[Polynomial]
+) -> bool:
+    """Whether it is known already that a direction is not (0, 0)."""
+    key = condition_key(branch.ring, direction.square(branch.ring))
+    return any(condition_key(branch.ring, p) == key for p in nonzero if p != 0)
 
 
 def _where_free(

@@ -13,7 +13,7 @@ References: [CoxLittleOShea] §5.4 (the coordinate ring of a variety).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -170,15 +170,28 @@ def parted(
     return Parted(primitive(content), primitive(written))
 
 
-def shares_nothing(
-    ring: TrigonometricRing,
-    polynomial: Polynomial,
-    directions: Sequence[Direction],
-    library: FactorLibrary,
-) -> bool:
-    """Whether a polynomial is known to have no factor in the other unknowns alone."""
-    found = _shared(ring, polynomial, directions, library)
-    return found is not None and found[0].is_constant()
+def over_roots(
+    ring: TrigonometricRing, polynomial: Polynomial, directions: Sequence[Direction]
+) -> _Parts | None:
+    """A polynomial as a sum of coefficients over products of the w.
+
+    Args:
+        ring: Of the polynomial.
+        polynomial: In normal form, not zero.
+        directions: Of angles, none in the condition of another.
+
+    Returns:
+        The coefficients in the other unknowns, by which of the w stand below them; up
+        to a product of powers of the w².  None where it is too long.
+    """
+    if len(polynomial) > _LONGEST:
+        return None
+    parts: _Parts = {(): polynomial}
+    for direction in directions:
+        parts = _split(ring, parts, direction)
+        if not parts or sum(map(len, parts.values())) > _COEFFICIENTS:
+            return None
+    return parts
 
 
 def _shared(
@@ -188,13 +201,9 @@ def _shared(
     library: FactorLibrary,
 ) -> tuple[Polynomial, _Parts] | None:
     """What all coefficients share, and these without it; None where too long."""
-    if len(polynomial) > _LONGEST:
+    parts = over_roots(ring, polynomial, directions)
+    if parts is None:
         return None
-    parts: _Parts = {(): polynomial}
-    for direction in directions:
-        parts = _split(ring, parts, direction)
-        if not parts or sum(map(len, parts.values())) > _COEFFICIENTS:
-            return None
     column = list(parts.values())
     rest = without_common_factors(ring, column, library)
     place = min(range(len(column)), key=lambda k: len(column[k]))
@@ -274,17 +283,18 @@ def _written(
         for (own, *key), value in parts.items():
             (odd if own else plain)[tuple(key)] = value
         if plain and odd:
-            turned = {key: _turned(ring, value, direction) for key, value in odd.items()}
-            whole = {key: value for key, value in turned.items() if value is not None}
+            turned = {
+                key: _turned(ring, value, direction) for key, value in odd.items()
+            }
+            whole: _Parts = {k: v for k, v in turned.items() if v is not None}
             if len(whole) == len(odd):
                 odd = whole
             else:
                 length = direction.length(ring)
                 plain = {k: ring.normal(v * length) for k, v in plain.items()}
-        parts = {
-            key: ring.normal(plain.get(key, ring.zero) + odd.get(key, ring.zero))
-            for key in plain | odd
-        }
+        parts = dict(plain)
+        for rest, value in odd.items():
+            parts[rest] = ring.normal(parts.get(rest, ring.zero) + value)
     return parts[()]
 
 

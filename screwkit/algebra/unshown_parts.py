@@ -14,12 +14,9 @@ from dataclasses import replace
 from typing import TypeAlias
 
 from screwkit.algebra.branches import Branch, without
-from screwkit.algebra.fixed_directions import (
-    fixed_directions,
-    occurs,
-    shares_nothing,
-)
+from screwkit.algebra.fixed_directions import fixed_directions
 from screwkit.algebra.linear_systems import linear_systems
+from screwkit.algebra.one_part import leaves_one_part
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import coefficients_in, unknowns
 from screwkit.algebra.search import Decomposition, Search, replace_steps
@@ -71,16 +68,15 @@ def parts_beside(
 def _is_over_directions(branch: Branch, search: Search, zeros: Zeros) -> bool:
     """Whether the last condition, where angles alone are fixed, leaves no such part.
 
-    It has no factor in the other unknowns alone, and vanishes on nothing as large as
-    the branch where one of the angles is free.
+    It leaves one part where none of the angles is free, and vanishes on nothing as
+    large as the branch where one is.
     """
     condition = branch.pending[-1].value
     before = without(branch, branch.pending[-1])
     fixed = fixed_directions(before)
-    own = [d for d in fixed if occurs(before.ring, condition, d.angle)]
-    if len(fixed) < len(before.pending) or not own:
+    if len(fixed) < len(before.pending):
         return False
-    if not shares_nothing(before.ring, condition, own, search.library):
+    if not leaves_one_part(before, condition, fixed):
         return False
     for direction in fixed:
         ends = [direction.across, direction.along]

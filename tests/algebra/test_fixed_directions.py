@@ -9,9 +9,10 @@ affine in e_i, which leaves (P, a·b·sin φ) ∧ (b·R·i − a·i, a·y) ∧ (
 from __future__ import annotations
 
 import numpy as np
-from algebra.test_case_distinctions import POSITIVE, polynomials
+from algebra.test_case_distinctions import POSITIVE
 from loci.numeric import value
 from loci.test_wrench_blocks import A, B, drawn, on, robot
+from one_ring import in_one_ring
 
 from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.decomposition import common_zeros, other_parts
@@ -28,7 +29,7 @@ FIXED = "x*sin(q) + y*cos(q)"
 
 def where_fixed(*texts: str) -> tuple[Branch, list[Polynomial]]:
     """A branch on which q is fixed and kept, and other polynomials."""
-    ring, (condition, *others) = polynomials(FIXED, *texts)
+    ring, (condition, *others) = in_one_ring(FIXED, *texts)
     (branch,) = restricted(Branch(ring, POSITIVE, directed=True), condition)
     return branch, others
 
