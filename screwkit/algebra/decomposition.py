@@ -182,7 +182,7 @@ def _beside_what_is_skipped(
     Returns:
         Whether these parts are known.
     """
-    if len(branch.pending) < 2:
+    if len(branch.pending) < 2 or search.surely(branch):
         return True
     systems = left_over(branch, search.inside(branch))
     if systems is not None:

@@ -32,6 +32,7 @@ from screwkit.loci.local_codimension import codimension_around
 from screwkit.loci.open_branches import lying_where, undecided
 from screwkit.loci.pieces import (
     Piece,
+    has_equations_of,
     lies_in,
     pieces_of,
     surely_in,
@@ -359,6 +360,7 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         special=[],
         budget=min(_BUDGET, walk.effort),
         skip=lambda b: any(lies_in(b, piece) for piece in elsewhere),
+        surely=lambda b: any(has_equations_of(b, piece) for piece in elsewhere),
         away=tuple(p.equations[0] for p in walk.pieces if len(p.equations) == 1),
     )
     before = search.budget
