@@ -17,15 +17,18 @@ import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from math import prod
 from typing import Any
 
-from flint import nmod_poly
+from flint import fmpq, fmpq_poly, nmod_poly
+from flint.utils.flint_exceptions import DomainError
 
 from screwkit.algebra.branches import Branch, random_branch_prime
 from screwkit.algebra.fixed_directions import Direction, over_roots
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 _Element = dict[int, Any]  # by which roots are factors, as bits
+_SMALL = 10_000  # rational lines have smaller coefficients
 
 
 def leaves_one_part(
@@ -36,18 +39,49 @@ def leaves_one_part(
     Args:
         branch: Where exactly these directions are pending.
         condition: In normal form.
-        directions: All that are pending, each with an angle of its own.
+        directions: All that are pending, each with an angle of its own; they leave one
+            part.
     """
     ring = branch.ring
     if ring.algebraic_relations or ring.divisors_of:
         return False
-    others = [d.pending.value for d in directions]
-    for index in ring.symbol_indices():
-        if any(p.degrees()[index] > 0 for p in others):
-            continue
-        if condition.degrees()[index] == 1:
-            return _are_coprime(ring, _linear(ring, condition, index), directions)
-    return False
+    fixed = [d.pending.value.degrees() for d in directions]
+    degrees = condition.degrees()
+    return any(
+        degrees[index] == 1
+        and not any(own[index] for own in fixed)
+        and _are_coprime(ring, _linear(ring, condition, index), directions)
+        for index in ring.symbol_indices()
+    )
+
+
+def are_one_part(branch: Branch, directions: Sequence[Direction]) -> bool:
+    """Whether the conditions of directions are shown to leave one part together.
+
+    Parts that differ by the sign of √2 are one: what numbers describe holds on both.
+
+    Args:
+        branch: Where exactly these directions are pending.
+        directions: Each with an angle of its own.
+    """
+    ring = branch.ring
+    if ring.algebraic_relations or ring.divisors_of:
+        return False
+    line = _Line.random(ring, random.Random(len(directions)), None)
+    squares = [_Root.of(ring, d, line).square for d in directions]
+    return not any(
+        _is_square(prod(chosen[1:], start=chosen[0]))
+        for count in range(1, len(squares) + 1)
+        for chosen in combinations(squares, count)
+    )
+
+
+def _is_square(polynomial: Any) -> bool:
+    try:
+        polynomial.sqrt()
+    except DomainError:
+        return False
+    return True
 
 
 def _linear(
@@ -70,10 +104,9 @@ def _are_coprime(
     if any(polynomial == 0 for polynomial in pair):
         return False
     written = [over_roots(ring, polynomial, directions) for polynomial in pair]
-    line = _Line.random(ring, random.Random(len(directions)))
+    source = random.Random(len(directions))
+    line = _Line.random(ring, source, random_branch_prime(source))
     roots = [_Root.of(ring, direction, line) for direction in directions]
-    if not _are_independent([root.square for root in roots]):
-        return False
     norms = []
     for parts in written:
         if parts is None:
@@ -99,20 +132,22 @@ class _Line:
         images: Of the generators; those of angles are times their denominators.
         denominators: By angle, 1 + t².
         places: The angle of a generator.
-        prime: The modulus.
+        prime: The modulus; none for rational numbers.
     """
 
     images: tuple[Any, ...]
     denominators: tuple[Any, ...]
     places: Mapping[int, int]
-    prime: int
+    prime: int | None
 
     @classmethod
-    def random(cls, ring: TrigonometricRing, source: random.Random) -> _Line:
-        prime = random_branch_prime(source)
-
+    def random(
+        cls, ring: TrigonometricRing, source: random.Random, prime: int | None
+    ) -> _Line:
         def along() -> Any:
-            return nmod_poly([source.randrange(1, prime) for _ in range(2)], prime)
+            return _poly(
+                [source.randrange(1, prime or _SMALL) for _ in range(2)], prime
+            )
 
         images = [along() for _ in ring.names]
         denominators, places = [], {}
@@ -137,10 +172,9 @@ class _Line:
 
     def value(self, polynomial: Polynomial, degrees: Sequence[int]) -> Any:
         """The polynomial times the denominators to these degrees."""
-        total = nmod_poly([0], self.prime)
+        total = _poly([0], self.prime)
         for powers, number in polynomial.to_dict().items():
-            inverse = pow(int(number.q), -1, self.prime)
-            term = nmod_poly([int(number.p) * inverse % self.prime], self.prime)
+            term = _poly([number], self.prime)
             left = list(degrees)
             for generator, power in enumerate(powers):
                 if power:
@@ -151,6 +185,16 @@ class _Line:
                 term *= denominator**power
             total += term
         return total
+
+
+def _poly(coefficients: Sequence[Any], prime: int | None) -> Any:
+    """In one unknown, of integers or rational numbers."""
+    if prime is None:
+        return fmpq_poly(list(coefficients))
+    numbers = [fmpq(c) for c in coefficients]
+    return nmod_poly(
+        [int(c.p) * pow(int(c.q), -1, prime) % prime for c in numbers], prime
+    )
 
 
 @dataclass(frozen=True)
@@ -164,22 +208,10 @@ class _Root:
     def of(cls, ring: TrigonometricRing, direction: Direction, line: _Line) -> _Root:
         square = direction.square(ring)
         degrees = [d + d % 2 for d in line.degrees([square])]
-        scale = nmod_poly([1], line.prime)
+        scale = _poly([1], line.prime)
         for denominator, degree in zip(line.denominators, degrees, strict=True):
             scale *= denominator ** (degree // 2)
         return cls(line.value(square, degrees), scale)
-
-
-def _are_independent(squares: Sequence[Any]) -> bool:
-    """Whether no product of some of them is a square, up to a number."""
-    for count in range(1, len(squares) + 1):
-        for chosen in combinations(squares, count):
-            product = chosen[0]
-            for square in chosen[1:]:
-                product *= square
-            if all(power % 2 == 0 for _, power in product.factor()[1]):
-                return False
-    return True
 
 
 def _element(

@@ -16,7 +16,7 @@ from typing import TypeAlias
 from screwkit.algebra.branches import Branch, without
 from screwkit.algebra.fixed_directions import fixed_directions
 from screwkit.algebra.linear_systems import linear_systems
-from screwkit.algebra.one_part import leaves_one_part
+from screwkit.algebra.one_part import are_one_part, leaves_one_part
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import coefficients_in, unknowns
 from screwkit.algebra.search import Decomposition, Search, replace_steps
@@ -53,8 +53,12 @@ def parts_beside(
         return ()
     last = branch.pending[-1]
     before = without(branch, last)
-    if branch.directed and _is_over_directions(branch, search, zeros):
-        return ()
+    if branch.directed:
+        fixed = fixed_directions(branch)
+        if len(fixed) == len(branch.pending) and not are_one_part(branch, fixed):
+            return None
+        if _is_over_directions(branch, search, zeros):
+            return ()
     others = {u for p in before.pending for u in unknowns(branch.ring, p.value)}
     own = [u for u in unknowns(branch.ring, last.value) if u not in others]
     for unknown in sorted(own):
@@ -75,6 +79,8 @@ def _is_over_directions(branch: Branch, search: Search, zeros: Zeros) -> bool:
     before = without(branch, branch.pending[-1])
     fixed = fixed_directions(before)
     if len(fixed) < len(before.pending):
+        return False
+    if not are_one_part(before, fixed):
         return False
     if not leaves_one_part(before, condition, fixed):
         return False

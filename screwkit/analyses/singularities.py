@@ -50,7 +50,7 @@ from screwkit.loci.loop_drop import (
 )
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.mechanism_figures import axes_of, figures_of, figures_on
-from screwkit.loci.pieces import Piece, pieces_of, told_apart
+from screwkit.loci.pieces import Piece, pieces_of, told_apart, without_contained
 from screwkit.loci.rank_drop import RankDrop, generic_rank
 from screwkit.loci.searching_again import searched_again
 from screwkit.loci.strata import in_ring
@@ -276,7 +276,8 @@ def constraint_singularities(
         )
 
     def early(pieces: Sequence[Piece], generic: LoopState) -> None:
-        components = described(with_sheets_together(pieces), None)
+        own = with_sheets_together(without_contained(pieces))
+        components = described(own, None)
         so_far(
             ConstraintSingularities(generic.loop, False, components, reason=_UNFINISHED)
         )

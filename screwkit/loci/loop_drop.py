@@ -130,22 +130,23 @@ class _Walk:
 
     def keep(self, branches: Sequence[Branch]) -> None:
         """Take note of branches on which the loops lose rank."""
-        if branches:
+        if self.kept_first:
+            self._keep_new(branches)
+        elif branches:
             self.found.extend(branches)
             self.pieces = without_contained([*self.given, *pieces_of(self.found)])
 
-    def keep_new(self, branches: Sequence[Branch]) -> None:
+    def _keep_new(self, branches: Sequence[Branch]) -> None:
         """The same for many branches, most of which lie in larger pieces.
 
-        These are passed over; at the end they are compared with the pieces left.
+        These are passed over; at the end all are compared with each other.
         """
         outside = [b for b in branches if not self._lies_in_larger(b)]
         pieces = pieces_of(outside)
         own = [branch for piece in pieces for branch in piece.branches]
         self.found.extend(own)
         self.passed.extend(b for b in branches if not any(b is o for o in own))
-        if own:
-            self.pieces = without_contained([*self.pieces, *pieces])
+        self.pieces = [*self.pieces, *pieces]
 
     def known(self, branch: Branch) -> bool:
         """Whether a branch lies in a piece that was found before."""
@@ -188,8 +189,8 @@ def loop_drop(
         lost: What is looked for instead; it must hold wherever, on some combination of
             strata, the limbs' wrench systems together lose dimensions.
         given: Pieces that are known; they are among the pieces of the answer.
-        early: Given the pieces found so far, and the generic state, whenever the search
-            of a combination found some.
+        early: Given the pieces found so far, some of which may lie in others, and the
+            generic state, whenever the search of a combination found some.
     """
     generic = loop_state(root, limbs)
     if generic is None:
@@ -371,5 +372,5 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
     if kept:
         walk.kept_first = True
         walk.effort += _EARNED
-    (walk.keep_new if kept else walk.keep)(zeros.branches)
+    walk.keep(zeros.branches)
     walk.open.extend(zeros.open)
