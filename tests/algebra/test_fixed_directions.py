@@ -8,21 +8,18 @@ affine in e_i, which leaves (P, a·b·sin φ) ∧ (b·R·i − a·i, a·y) ∧ (
 
 from __future__ import annotations
 
-import numpy as np
 from algebra.test_case_distinctions import POSITIVE
-from loci.numeric import value
-from loci.test_wrench_blocks import A, B, drawn, on, robot
 from one_ring import in_one_ring
 
 from screwkit.algebra.branches import Branch, restricted
+from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.decomposition import common_zeros, other_parts
 from screwkit.algebra.factors import FactorLibrary
-from screwkit.algebra.fixed_directions import fixed_directions, occurs, parted
+from screwkit.algebra.fixed_directions import fixed_directions, parted
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
-from screwkit.loci.wrench_blocks import block_minors
 
 FIXED = "x*sin(q) + y*cos(q)"
 
@@ -35,30 +32,49 @@ def where_fixed(*texts: str) -> tuple[Branch, list[Polynomial]]:
 
 
 def test_concurrent_lines_are_a_condition_of_the_pose() -> None:
-    case, limbs, _ = robot()
-    ring = case.common_twists.ring
-    library = case.library(ring)
-    branch = on((1, 1, 1, 2))
-    lists = block_minors(branch, limbs, 6, Search(library))
-    assert lists is not None
-    (concurrent,) = lists[-1]  # written in the angles of the three links alone
-    fixed = [d for d in fixed_directions(branch) if occurs(ring, concurrent, d.angle)]
+    ends = [
+        (0, "cos(f)", "sin(f)"),
+        (1, "-sin(f)", "cos(f)"),
+        (2, "-cos(f)", "-sin(f)"),
+    ]
+    bases = [("a", "0"), ("0", "a"), ("-a", "0")]
+    along, moments = [], []
+    for k, ((c, s), (u, v)) in enumerate(zip(turned, bases, strict=True)):
+        x, y = f"(x + b*({c}) - ({u}))", f"(y + b*({s}) - ({v}))"
+        along.append(f"{x}*sin(t{k}) - {y}*cos(t{k})")
+        moments.append(f"(({u})*sin(t{k}) - ({v})*cos(t{k}))")
+    determinant = " + ".join(
+        f"{moments[k]}*sin(t{(k + 2) % 3} - t{(k + 1) % 3})" for k in range(3)
+    )
+    circle = "a*b*sin(f)*(x^2 + y^2 - a^2 - b^2 + 2*a*b*cos(f))"
+    ring, (lines, concurrent, *conditions) = in_one_ring(determinant, circle, *along)
+    branch = Branch(ring, POSITIVE, directed=True)
+    for condition in conditions:
+        (branch,) = restricted(branch, condition)
+    fixed = fixed_directions(branch)
     assert len(fixed) == 3
-    parts = parted(ring, concurrent, fixed, library)
+    parts = parted(ring, lines, fixed, FactorLibrary(ring))
     assert parts is not None
-    condition, rest = text(ring, parts.content), text(ring, parts.rest)
-    source = np.random.default_rng(11)
-    for _ in range(4):
-        at = drawn(source, (0, 1, 2))
-        by_hand = np.sin(at["phi"]) * (
-            at["x"] ** 2 + at["y"] ** 2 - A**2 - B**2 + 2 * A * B * np.cos(at["phi"])
-        )
-        # In either form: the content up to a constant, and the lines' determinant.
-        assert abs(value(condition, at) - A * B * by_hand) < 1e-6 * abs(A * B * by_hand)
-        assert abs(value(text(ring, concurrent), at)) > 1e-9
-        assert abs(value(rest, at)) > 1e-9
-    alike = drawn(source, (0, 1, 2)) | {"phi": 0.0}
-    assert abs(value(condition, alike)) < 1e-9
+    assert condition_key(ring, parts.content) == condition_key(ring, concurrent)
+    assert parts.rest.is_constant()
+
+
+def test_what_is_left_is_written_in_the_angle_again() -> None:
+    """On the branch the first is y·(t + l·(u·cos q − v·sin q)).
+
+    The second is x·y·(1 − l/w); w is written where l is no sum of multiples of x and y.
+    """
+    branch, (turned, length, *left) = where_fixed(
+        f"y*(t + l*(u*cos(q) - v*sin(q))) + z*({FIXED})",
+        "x*(l*sin(q) + y)",
+        "t + l*(u*cos(q) - v*sin(q))",
+        "x*cos(q) - y*sin(q) - l",
+    )
+    ring, fixed = branch.ring, fixed_directions(branch)
+    for polynomial, rest in zip((turned, length), left, strict=True):
+        parts = parted(ring, polynomial, fixed, FactorLibrary(ring))
+        assert parts is not None
+        assert condition_key(ring, parts.rest) == condition_key(ring, rest)
 
 
 def test_a_condition_that_divides_as_it_stands_is_left_alone() -> None:
