@@ -32,11 +32,7 @@ def where_fixed(*texts: str) -> tuple[Branch, list[Polynomial]]:
 
 
 def test_concurrent_lines_are_a_condition_of_the_pose() -> None:
-    ends = [
-        (0, "cos(f)", "sin(f)"),
-        (1, "-sin(f)", "cos(f)"),
-        (2, "-cos(f)", "-sin(f)"),
-    ]
+    turned = ("cos(f)", "sin(f)"), ("-sin(f)", "cos(f)"), ("-cos(f)", "-sin(f)")
     bases = [("a", "0"), ("0", "a"), ("-a", "0")]
     along, moments = [], []
     for k, ((c, s), (u, v)) in enumerate(zip(turned, bases, strict=True)):
