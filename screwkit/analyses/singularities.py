@@ -176,9 +176,13 @@ def _proof(minors: int, rank: int, pieces: Sequence[Piece]) -> str:
 
 
 def _in_order(pieces: Sequence[Piece]) -> list[Piece]:
-    return sorted(
-        pieces, key=lambda piece: (piece.codimension, sum(map(len, piece.equations)))
-    )
+    """Large ones and short equations first; ones of one shape beside each other."""
+
+    def key(piece: Piece) -> tuple[int, int, list[int]]:
+        sizes = sorted(map(len, piece.equations))
+        return piece.codimension, sum(sizes), sizes
+
+    return sorted(pieces, key=key)
 
 
 def _intersections(
