@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.fixed_directions import has_directions_alone
+from screwkit.algebra.fixed_directions import SEVERAL, has_directions_alone
 from screwkit.algebra.search import Search
 from screwkit.kinematics.limb_parts import Parts
 from screwkit.loci.dependence import Dependence, dependent_zeros
@@ -41,7 +41,7 @@ def zeros_either_way(
     """
     if not has_directions_alone(branch):
         return _zeros(branch, limbs, search), False
-    if kept_first:
+    if kept_first and len(branch.pending) >= SEVERAL:
         found = _with_angles_kept(branch, limbs, search)
         return (_zeros(branch, limbs, search), False) if found.open else (found, True)
     solved = _zeros(branch, limbs, search)
