@@ -6,6 +6,8 @@ no height; the first links of the two others point to their joints B.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from loci.numeric import value
 from loci.test_wrench_blocks import (
@@ -13,18 +15,25 @@ from loci.test_wrench_blocks import (
     A,
     B,
     loop_rank,
+    on,
     posture,
     robot,
     towards,
     turned,
 )
 
-from screwkit.algebra.branches import Branch
+from screwkit.algebra.branches import Branch, restricted
+from screwkit.algebra.factors import FactorLibrary
+from screwkit.algebra.fixed_directions import fixed_directions, parted
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.search import Search
+from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.loci.either_way import zeros_either_way
-from screwkit.loci.loop_drop import imposed
+from screwkit.loci.exact_equations import Singularity, with_exact_equations
+from screwkit.loci.loop_drop import imposed, loop_state, rank_is_lost
+from screwkit.loci.pieces import Piece
 from screwkit.loci.strata import in_ring, limb_strata
+from screwkit.loci.wrench_blocks import block_minors
 
 
 def folded_and_along() -> Branch:
@@ -82,3 +91,44 @@ def test_with_angles_kept_nothing_is_left_open() -> None:
         assert loop_rank(parallel) == 15
         assert not lies_on_one(at)
         assert lies_on_one(parallel)
+
+
+def test_equations_of_four_stretched_links_are_exact() -> None:
+    """With t = 1 − l/w, where the link of a limb is l of w: 1/t₁ + 1/t₃ = 1/t₂ + 1/t₄.
+
+    The forces along the four second links have the determinant z·sin φ times the circle
+    on which the lines meet times that.
+    """
+    case, limbs, _ = robot()
+    ring = case.common_twists.ring
+    root, library = case.root(ring), case.library(ring)
+    stretched = replace(on((1, 1, 1, 1)), directed=True)
+    lists = block_minors(stretched, limbs, 6, Search(library))
+    assert lists is not None
+    parts = parted(ring, lists[-1][0], fixed_directions(stretched), FactorLibrary(ring))
+    assert parts is not None
+    for at in postures():
+        place, phi = np.array([at["x"], at["y"], 0.0]), at["phi"]
+        here, ratios = at, []
+        for k in range(4):
+            here = here | {f"theta{k + 1}": towards(k, place, phi)}
+            gap = place + B * turned(k * np.pi / 2 + phi) - A * turned(k * np.pi / 2)
+            ratios.append(1 - LENGTHS[k] / np.linalg.norm(gap))
+        first, second, third, fourth = ratios
+        wanted = (first + third) * second * fourth - (second + fourth) * first * third
+        lengths = np.prod([LENGTHS[k] / (1 - ratios[k]) for k in range(4)])
+        got = value(text(ring, parts.rest), here) / lengths
+        assert abs(got + wanted) < 1e-9 * abs(wanted)
+    (branch,) = restricted(stretched, parts.rest)
+    piece = Piece(branch.conditions, (replace(branch, directed=False),))
+    generic = loop_state(root, limbs)
+    assert generic is not None
+
+    def holds_on(part: Branch) -> bool:
+        state = loop_state(part, limbs)
+        return state is not None and rank_is_lost(state, generic)
+
+    singular = Singularity(root, lambda: loop_columns(limbs, 6), holds_on, library)
+    exact = with_exact_equations([piece], singular)
+    assert not exact.uncertain
+    assert not exact.narrowed
