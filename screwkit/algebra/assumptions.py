@@ -6,6 +6,7 @@ proof here reads signs off the terms, so a missing proof says nothing.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import groupby
@@ -148,13 +149,15 @@ def _keeps_its_sign(ring: TrigonometricRing, polynomial: Polynomial) -> bool:
 
 def _terms(
     ring: TrigonometricRing, polynomial: Polynomial
-) -> list[tuple[int, tuple[int, ...]]]:
+) -> Iterable[tuple[int, tuple[int, ...]]]:
     """(sign of the coefficient, monomial), algebraic numbers in the coefficient."""
     first = len(ring.names) - len(ring.constant_generators)
     size = len(ring.constant_generators)
-    if not size:
-        signs = (1 if c > 0 else -1 for c in polynomial.coeffs())
-        return [*zip(signs, polynomial.monoms(), strict=True)]
+    if not size:  # one by one: of most long ones a few terms are enough
+        return (
+            (1 if polynomial.coefficient(k) > 0 else -1, polynomial.monomial(k))
+            for k in range(len(polynomial))
+        )
     parts = [
         (tuple(map(int, e[:first])), tuple(map(int, e[first:])), c)
         for e, c in zip(polynomial.monoms(), polynomial.coeffs(), strict=True)

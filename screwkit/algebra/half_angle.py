@@ -210,14 +210,13 @@ class HalfAngles:
         if any(above.get(i, 0) < degree for i, degree in below.items()):
             return None
         degrees = {i: d for i, d in below.items() if d < above[i]}
-        forms = [
-            self._form(p.project_to_context(self._context), d)
-            for p, d in (
-                (polynomial, {i: above[i] for i in degrees}),
-                (divisor, degrees),
-            )
-        ]
+        pair = (polynomial, {i: above[i] for i in degrees}), (divisor, degrees)
         try:
+            if not degrees:  # in half angles they would read the same
+                return polynomial / divisor
+            forms = [
+                self._form(p.project_to_context(self._context), d) for p, d in pair
+            ]
             found = forms[0] / forms[1]
         except DomainError:
             return None

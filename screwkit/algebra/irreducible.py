@@ -26,6 +26,9 @@ from screwkit.algebra.trigonometric import Polynomial
 
 ATTEMPTS = 8
 
+_FACTORED = 2_000
+"""Terms of polynomials in symbols alone that are factored at once."""
+
 
 @dataclass(frozen=True)
 class Shape:
@@ -86,7 +89,7 @@ def shape(
     if not variables or any(bounds[i] for i in layout.extensions):
         return _UNKNOWN
     angles = [v for v in variables if len(v) == 2]
-    if not angles and not layout.constants:
+    if not angles and not layout.constants and len(polynomial) <= _FACTORED:
         return Shape(False, True)
     if len(variables) == 1 and len(polynomial) == 1 and polynomial.total_degree() == 1:
         return _PROVED  # sin q and cos q count as irreducible

@@ -13,11 +13,14 @@ from typing import Any, TypeAlias
 
 from flint import nmod_poly
 
-from screwkit.algebra.common_root import common_root
+from screwkit.algebra.common_root import common_root, interpolated
 from screwkit.algebra.linear_systems import has_solutions, linear_systems, solved_at
 from screwkit.algebra.points import Point, random_angle, residue
 from screwkit.algebra.substitution import Substitution
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+
+_LONG = 2_000
+"""Terms of a condition that is interpolated, not taken apart by powers."""
 
 
 def moved_onto(
@@ -307,6 +310,14 @@ def _along_symbol(polynomial: Polynomial, index: int) -> _Along:
             return nmod_poly([first, second - first], prime)
 
         return linear
+    if len(polynomial) > _LONG:
+        places = range(int(polynomial.degrees()[index]) + 1)
+
+        def told(point: Point, prime: int) -> Any:
+            values = [_value(polynomial, {index: x}, point, prime) for x in places]
+            return nmod_poly(interpolated(places, values, prime), prime)
+
+        return told
     parts = {power: part for (power,), part in _parts(polynomial, (index,)).items()}
 
     def at(point: Point, prime: int) -> Any:

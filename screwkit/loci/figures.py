@@ -37,7 +37,7 @@ from screwkit.screw.vector import Vector, add, cross
 
 _SETS = 4_000  # sets of screws that are tried at points
 _COMPARED = 12  # of which so many are compared with the piece
-_COSTLIEST = 10**12  # the terms of the screws of one minor, multiplied
+_COSTLIEST = 10**13  # the terms of the screws of one minor, multiplied
 _OF_SEVERAL = 2  # screws whose dependence takes several equations
 _SHORT = 2  # terms of a proviso
 

@@ -6,7 +6,7 @@ monomials: for every choice of one monomial in such symbols from each limb, what
 beside it is the join of the coefficients, in the symbols that limbs share, and no two
 choices have a monomial in common.  So the number of terms is a sum over all choices,
 and a random sample of them tells it without bias, like Knuth's estimate of the size of
-a search tree.
+a search tree.  Choices of long coefficients are drawn more often and count less.
 
 References: [Knuth1975].
 """
@@ -15,7 +15,8 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Mapping, Sequence
-from math import prod
+from math import prod, sqrt
+from statistics import mean, stdev
 from typing import Any, TypeAlias
 
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
@@ -23,7 +24,13 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 Extensor: TypeAlias = Mapping[int, Polynomial]
 
 SAMPLE = 500
-"""Choices that are multiplied out."""
+"""Choices that are multiplied out, at most."""
+
+FEWEST, EXACT = 50, 0.1
+"""Choices with terms that suffice where the standard error is this part of the mean."""
+
+DEAREST = 4_000_000
+"""Terms of all that is multiplied out, after which the sample is taken as it is."""
 
 
 def predicted_terms(
@@ -46,13 +53,32 @@ def predicted_terms(
         _parted(ring, limb, _own(limb, [*limbs[:k], *limbs[k + 1 :]]))
         for k, limb in enumerate(limbs)
     ]
-    choices = prod(map(len, parts))
-    if choices <= SAMPLE:
+    if prod(map(len, parts)) <= SAMPLE:
         return None
+    weights = [[sqrt(_size(part)) for part in own] for own in parts]
+    totals = [sum(own) for own in weights]
     source = random.Random(len(limbs))
-    drawn = ([source.choice(own) for own in parts] for _ in range(SAMPLE))
-    total = sum(len(minor) for one in drawn for minor in expand(one))
-    return total * choices // SAMPLE
+    told: list[float] = []
+    dear = 0
+    while len(told) < SAMPLE and dear < DEAREST and not _is_exact(told):
+        drawn = [source.choices(range(len(own)), own)[0] for own in weights]
+        chosen = [own[k] for own, k in zip(parts, drawn, strict=True)]
+        terms = sum(map(len, expand(chosen)))
+        dear += terms
+        chances = zip(weights, drawn, totals, strict=True)
+        told.append(terms / prod(own[k] / total for own, k, total in chances))
+    return round(mean(told))
+
+
+def _size(extensor: Extensor) -> int:
+    return sum(map(len, extensor.values()))
+
+
+def _is_exact(told: Sequence[float]) -> bool:
+    """Whether a sample's standard error is small against its mean."""
+    if sum(map(bool, told)) < FEWEST:
+        return False
+    return stdev(told) <= EXACT * mean(told) * sqrt(len(told))
 
 
 def _own(limb: Extensor, others: Sequence[Extensor]) -> list[int]:

@@ -21,7 +21,7 @@ from screwkit.loci.pieces import Piece, lies_in
 LARGEST = 1_500
 """Terms of a polynomial that is factored for this."""
 
-LONGEST = 200_000
+LONGEST = 4_000_000
 """Terms of a polynomial that is divided by the piece's own equation."""
 
 _SQUARED = 40  # terms of polynomials whose squares are added up

@@ -21,7 +21,7 @@ from screwkit.grasping.statics import contact_forces
 from screwkit.metrics.float_ranks import float_ranks
 from screwkit.metrics.indices import FloatGrasp
 
-often = settings(max_examples=150, deadline=None, derandomize=True)
+often = settings(max_examples=150, derandomize=True)
 
 
 def null_space(columns: list[list[int]]) -> list[list[object]]:

@@ -18,7 +18,7 @@ from screwkit.mechanism.graph import (
 )
 from screwkit.mechanism.model import Joint, JointType, Mechanism
 
-laws = settings(max_examples=120, deadline=None, derandomize=True)
+laws = settings(max_examples=120, derandomize=True)
 
 
 def graph(ends: Sequence[tuple[int, int]], bodies: int = 0, base: int = 0) -> Mechanism:

@@ -36,7 +36,7 @@ from screwkit.kinematics.network import Motion, Network, motion
 from screwkit.kinematics.subspaces import dimension, reciprocal
 from screwkit.mechanism.model import Joint, JointType, Mechanism, Space
 
-laws = settings(max_examples=60, deadline=None, derandomize=True)
+laws = settings(max_examples=60, derandomize=True)
 seeds = st.integers(0, 2**20)
 CLEAR = 1e4
 

@@ -42,7 +42,7 @@ from screwkit.screw.displacement import Displacement
 
 Array = NDArray[np.float64]
 MOVING = tuple(kind for kind in JointType if is_actuable(kind))
-laws = settings(max_examples=40, deadline=None, derandomize=True)
+laws = settings(max_examples=40, derandomize=True)
 chains = st.builds(
     chain,
     st.lists(st.sampled_from([*MOVING, JointType.FIXED]), min_size=1, max_size=5),

@@ -25,7 +25,7 @@ from screwkit.kinematics.subspaces import dimension, reciprocal
 from screwkit.mechanism.model import Joint, JointType, Mechanism
 from screwkit.screw.nullspace import Column, independent
 
-laws = settings(max_examples=60, deadline=None, derandomize=True)
+laws = settings(max_examples=60, derandomize=True)
 KINDS = (
     JointType.REVOLUTE,
     JointType.REVOLUTE,

@@ -36,7 +36,7 @@ polynomials = (
 
 
 @given(st.lists(polynomials, min_size=1, max_size=3))
-@settings(deadline=None, max_examples=150)
+@settings(max_examples=150)
 def test_the_product_of_the_factors_is_the_polynomial(parts: list[Polynomial]) -> None:
     product = RING.one
     for part in parts:
@@ -45,7 +45,7 @@ def test_the_product_of_the_factors_is_the_polynomial(parts: list[Polynomial]) -
 
 
 @given(polynomials, polynomials)
-@settings(deadline=None, max_examples=100)
+@settings(max_examples=100)
 def test_factors_of_a_product_are_those_of_its_parts(
     left: Polynomial, right: Polynomial
 ) -> None:
@@ -60,7 +60,7 @@ def test_factors_of_a_product_are_those_of_its_parts(
 
 
 @given(polynomials, polynomials)
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 def test_no_factor_splits(left: Polynomial, right: Polynomial) -> None:
     halves = HalfAngles(RING, Layout.of(RING))
     for one, _ in factor(RING, RING.normal(left * right), LIBRARY).factors:
@@ -84,6 +84,6 @@ def test_no_factor_splits(left: Polynomial, right: Polynomial) -> None:
 
 
 @given(polynomials)
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 def test_a_library_changes_nothing(value: Polynomial) -> None:
     assert factor(RING, value, LIBRARY) == factor(RING, value)

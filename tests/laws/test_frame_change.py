@@ -13,7 +13,7 @@ from screwkit.screw.nullspace import moved
 from screwkit.screw.system import TwistSystem, reciprocal_product
 
 
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 @given(twist_systems, displacements)
 def test_frame_change_commutes_with_reciprocity(
     system: TwistSystem, move: Displacement[Polynomial]
@@ -27,7 +27,7 @@ def test_frame_change_commutes_with_reciprocity(
     )
 
 
-@settings(deadline=None, max_examples=30)
+@settings(max_examples=30)
 @given(twist_systems, twist_systems, displacements)
 def test_frame_change_keeps_powers_sums_and_intersections(
     a: TwistSystem, b: TwistSystem, move: Displacement[Polynomial]

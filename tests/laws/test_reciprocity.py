@@ -10,13 +10,13 @@ from screwkit.screw.nullspace import Column
 from screwkit.screw.system import Twist, TwistSystem, Wrench, reciprocal_product
 
 
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(twist_systems)
 def test_reciprocity_is_an_involution(system: TwistSystem) -> None:
     assert system.reciprocal().reciprocal() == system
 
 
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(twist_systems)
 def test_a_system_and_its_reciprocal_fill_six_dimensions(system: TwistSystem) -> None:
     wrenches = system.reciprocal()
@@ -26,7 +26,7 @@ def test_a_system_and_its_reciprocal_fill_six_dimensions(system: TwistSystem) ->
         assert all(reciprocal_product(twist, wrench) == "0" for wrench in wrenches)
 
 
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 @given(twist_systems, twist_systems)
 def test_dimensions_of_sum_and_intersection(a: TwistSystem, b: TwistSystem) -> None:
     together, shared = a + b, a & b
@@ -37,7 +37,7 @@ def test_dimensions_of_sum_and_intersection(a: TwistSystem, b: TwistSystem) -> N
     assert a & together == a
 
 
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 @given(twist_systems, twist_systems)
 def test_reciprocity_turns_sums_into_intersections(
     a: TwistSystem, b: TwistSystem
@@ -45,7 +45,7 @@ def test_reciprocity_turns_sums_into_intersections(
     assert (a + b).reciprocal() == a.reciprocal() & b.reciprocal()
 
 
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(twist_systems)
 def test_every_printed_coordinate_reads_back(system: TwistSystem) -> None:
     place = Place(3)
@@ -54,7 +54,7 @@ def test_every_printed_coordinate_reads_back(system: TwistSystem) -> None:
             assert place.read(written) == place.value(value)
 
 
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(twist_systems, columns, st.booleans(), st.booleans())
 def test_where_nothing_assumed_vanishes_the_rank_is_the_generic_one(
     system: TwistSystem, column: Column, straight: bool, short: bool

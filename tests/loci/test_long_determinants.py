@@ -23,6 +23,9 @@ CORNERS = [["b", "0", "0"], ["0", "b", "0"], ["-b", "-b", "0"]]
 IN_LINE = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [4, 0, 0], [0, 3, 0], [2, 3, 1]]
 ALSO_IN_LINE = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0], [0, 1, 0], [1, 2, 0]]
 NAMES = ("x", "y", "z", "u", "v", "w")
+HEIGHTS = tuple(f"s{n}" for n in range(1, 7))
+RAILS = [[5, 1, 0], [3, 4, 0], [-3, 4, 0], [-5, 1, 0], [-1, -5, 0], [2, -5, 0]]
+CARRIED = [[2, -1, 0], [2, 2, 0], [-2, 2, 0], [-2, -1, 0], [0, -2, 0], [1, -2, 0]]
 
 
 def spherical_legs(
@@ -60,6 +63,38 @@ def spherical_legs(
         "points": points,
         "joints": joints,
         "actuated": [f"P{n}" for n in range(1, 7)],
+    }
+
+
+def legs_on_slides(
+    base: Sequence[Sequence[int]], platform: Sequence[Sequence[object]]
+) -> dict[str, object]:
+    """Six P-U-S legs whose lower ends are lifted by vertical slides."""
+    file = spherical_legs(base, platform)
+    joints: list[dict[str, object]] = []
+    points: dict[str, object] = {}
+    for n in range(1, 7):
+        points[f"A{n}"] = list(base[n - 1])
+        points[f"S{n}"] = f"A{n} + s{n}*k"
+        points[f"B{n}"] = {"link": "platform", "at": list(platform[n - 1])}
+        ends = ["base", f"lower{n}", f"upper{n}", "platform"]
+        bodies = [{"parent": one, "child": two} for one, two in pairwise(ends)]
+        leg = f"B{n} - S{n}"
+        axes = ["i", f"cross({leg}, i)"]
+        joints += [
+            {"name": f"P{n}", "type": "prismatic", "axis": "k", **bodies[0]},
+            {"name": f"U{n}", "type": "universal", "axes": axes, **bodies[1]},
+            {"name": f"T{n}", "type": "spherical", "point": f"B{n}", **bodies[2]},
+        ]
+        joints[-2]["point"] = f"S{n}"
+    variables = {name: f"{n}/7" for n, name in enumerate((*NAMES, *HEIGHTS), 1)}
+    vectors = {"i": [1, 0, 0], "k": [0, 0, 1]}
+    return file | {
+        "parameters": {},
+        "variables": variables,
+        "vectors": vectors,
+        "points": points,
+        "joints": joints,
     }
 
 
@@ -136,6 +171,42 @@ def test_four_legs_between_two_lines(tmp_path: Path) -> None:
     assert residuals < 1e-12
     assert powers[1:] == pytest.approx(np.round(powers[1:]))
     assert min(powers[2:]) > 0.5
+
+
+def test_six_legs_on_slides_for_every_pose(tmp_path: Path) -> None:
+    """The determinant of the six forces, of 94 433 terms, is a power times one factor.
+
+    It is expanded and factored, and limbs are searched whatever that has cost.
+    """
+    path = tmp_path / "six_legs.json"
+    path.write_text(json.dumps(legs_on_slides(RAILS, CARRIED)), encoding="utf-8")
+    assembly = sk.load(path).assembly
+    found = actuation_locus(assembly, assembly.mechanism.actuated)
+    assert found.complete, found.reason
+    (piece,) = found.pieces
+    assert found.meanings is not None
+    assert "of one linear complex" in (found.meanings.of_six_lines(piece) or "")
+    (equation,) = piece.equations
+    ring = piece.branches[0].ring
+    place = {
+        name: ring.names.index(str(ring.symbol(name))) for name in (*NAMES, *HEIGHTS)
+    }
+    base, own = np.array(RAILS, float), np.array(CARRIED, float)
+    source = np.random.default_rng(6)
+    ratios = []
+    for _ in range(3):
+        numbers = source.integers(1, 9, 12)
+        posture = dict(zip((*NAMES, *HEIGHTS), map(int, numbers), strict=True))
+        feet = base + np.outer([posture[name] for name in HEIGHTS], [0, 0, 1])
+        ends, length = placed(own, posture)
+        forces = np.hstack([ends - feet, np.cross(feet, ends)])
+        point = [0] * len(ring.names)
+        for name, number in posture.items():
+            point[place[name]] = number
+        exact = equation(*point)
+        whole = int(exact.p) / int(exact.q)
+        ratios.append(whole / (float(np.linalg.det(forces)) * length**3))
+    assert np.ptp(ratios) < 1e-6 * abs(ratios[0])
 
 
 def test_what_was_not_expanded_is_told_beside_idle_pieces(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from screwkit.mechanism.graph import (
@@ -119,7 +119,6 @@ links = st.sampled_from(["b", "p", "s", "t", "u", "v"])
 graphs = st.lists(st.tuples(links, links).filter(lambda e: e[0] != e[1]), max_size=12)
 
 
-@settings(deadline=None)
 @given(graphs)
 def test_laws_of_any_graph(edges: list[tuple[str, str]]) -> None:
     text = " ".join(f"J{i}:{a}-{b}" for i, (a, b) in enumerate(edges))

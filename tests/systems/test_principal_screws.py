@@ -34,7 +34,7 @@ from screwkit.systems.principal_screws import PrincipalScrew, principal_screws
 from screwkit.systems.screw_structure import ScrewStructure
 
 names = st.sampled_from(sorted(ALL))
-few = settings(max_examples=60, deadline=None)
+few = settings(max_examples=60)
 CLOSE = 1e-7
 
 

@@ -43,7 +43,7 @@ from screwkit.systems.screw_structure import ScrewStructure, bracket
 from screwkit.systems.system_class import classify, classify_wrenches
 
 names = st.sampled_from(sorted(ALL))
-few = settings(max_examples=60, deadline=None)
+few = settings(max_examples=60)
 generic = st.lists(
     st.tuples(*[st.integers(-2, 2).map(Fraction)] * 6), min_size=1, max_size=6
 )

@@ -163,7 +163,7 @@ BUILT: Mapping[str, Callable[[Elements], Screws]] = {
 
 
 @pytest.mark.parametrize("name", BUILT)
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=8)
 @given(displacement=displacements())
 def test_a_system_can_be_built_from_its_elements(
     name: str, displacement: np.ndarray
@@ -184,7 +184,7 @@ RECIPROCAL = {
 
 
 @pytest.mark.parametrize("name", sorted(RECIPROCAL))
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=8)
 @given(displacement=displacements())
 def test_what_is_said_to_be_reciprocal_is(name: str, displacement: np.ndarray) -> None:
     systems = both(moved(displacement, ALL[name]))
@@ -200,7 +200,7 @@ def test_what_is_said_to_be_reciprocal_is(name: str, displacement: np.ndarray) -
     assert ScrewStructure.spanned_by(held, P) == system.reciprocal
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(displacements())
 def test_all_screws_of_a_cylindroid_cross_its_line(displacement: np.ndarray) -> None:
     systems = both(moved(displacement, ALL["cylindroid"]))
