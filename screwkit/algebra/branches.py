@@ -66,6 +66,7 @@ class Branch:
             resultants; that may take long.
         dimensions: Indices of the symbols that are dimensions of the mechanism, not
             coordinates of its posture.
+        directed: Keep conditions that fix angles (`fixed_directions`) unsolved.
     """
 
     ring: TrigonometricRing
@@ -78,6 +79,7 @@ class Branch:
     nonvanishing: tuple[Polynomial, ...] = ()
     directions: tuple[tuple[Polynomial, ...], ...] = ()
     thorough: bool = False
+    directed: bool = False
 
     @property
     def codimension(self) -> int:

@@ -7,13 +7,21 @@ chosen.  What two conditions imply together may leave simpler ones.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from itertools import combinations
 from weakref import WeakKeyDictionary
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.branches import Branch, is_solvable
+from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.elimination import half_angle_steps
 from screwkit.algebra.factors import Factor, FactorLibrary, factor
+from screwkit.algebra.fixed_directions import (
+    Direction,
+    fixed_directions,
+    occurs,
+    parted,
+)
 from screwkit.algebra.implied import LONGEST, eliminants, resolvents
 from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.substitution import reduced
@@ -30,46 +38,100 @@ _TRIED = 10  # polynomials that are factored to choose the next case split
 _ALONE = 2_000  # terms of the shortest one, which is factored before all is left open
 
 
+@dataclass(frozen=True)
+class Choice:
+    """Factors on one of which every zero lies, or else where a direction is (0, 0).
+
+    Attributes:
+        cases: Simple ones first.
+        directions: Of angles that pending conditions fix.
+    """
+
+    cases: tuple[Factor, ...]
+    directions: tuple[Direction, ...] = ()
+
+
 def shortest_choice(
     branch: Branch,
     polynomials: Sequence[Polynomial],
     nonzero: Sequence[Polynomial],
     library: FactorLibrary,
     largest: int,
-) -> list[Factor] | None:
+) -> Choice | None:
     """The irreducible factors of the polynomial that leaves the fewest, shortest cases.
 
-    An empty list where some polynomial has no zero on the branch; None where all are
-    too long to be factored.
+    No case where some polynomial has no zero on the branch; None where all are too long
+    to be factored.
     """
     excluded = _factor_keys(branch, nonzero, library, largest)
-    best: list[Factor] | None = None
+    fixed = fixed_directions(branch) if branch.directed else []
+    best: Choice | None = None
     for polynomial in _with_resolvents(branch, polynomials)[:_TRIED]:
-        if len(polynomial) > (largest if best is not None else max(largest, _ALONE)):
+        own, cases = _on_directions(branch, polynomial, fixed, library)
+        if len(polynomial) <= (largest if best else max(largest, _ALONE)):
+            plain = possible_factors(branch, polynomial, library)
+            if not own or len(plain) >= _in_postures(branch, cases):
+                own, cases = (), plain
+        elif not own:
             break
-        cases = possible_factors(branch, polynomial, library)
-        cases = [f for f in cases if f.key not in excluded]
-        if not cases:
-            return []
-        if best is None or _cost(branch, cases) < _cost(branch, best):
-            best = cases
-        if _cost(branch, best) <= (0, 2):
+        kept = tuple(f for f in cases if f.key not in excluded)
+        choice = Choice(kept, own)
+        if not kept and not own:
+            return choice
+        if best is None or (
+            _cost(branch, choice.cases, fixed) < _cost(branch, best.cases, fixed)
+        ):
+            best = choice
+        if _cost(branch, best.cases, fixed) <= (0, 2, 0):
             break
     if best is None:
         return None
-    return sorted(best, key=lambda f: (len(f.equations), len(f.equations[0])))
+    simple = sorted(best.cases, key=lambda f: (len(f.equations), len(f.equations[0])))
+    return replace(best, cases=tuple(simple))
 
 
-def _cost(branch: Branch, cases: Sequence[Factor]) -> tuple[int, int]:
-    """Conditions that cannot be solved are dear, many simple ones are cheap."""
-    return (
-        sum(
-            len(f.equations[0])
-            for f in cases
-            if len(f.equations) == 1 and not is_solvable(branch, f.equations[0])
-        ),
-        len(cases),
+def _on_directions(
+    branch: Branch,
+    polynomial: Polynomial,
+    fixed: Sequence[Direction],
+    library: FactorLibrary,
+) -> tuple[tuple[Direction, ...], list[Factor]]:
+    """Factors where some angles are fixed, and which; none where that shows nothing."""
+    own = tuple(d for d in fixed if occurs(branch.ring, polynomial, d.angle))
+    parts = parted(branch.ring, polynomial, own, library) if own else None
+    if parts is None:
+        return (), []
+    both = (parts.content, parts.rest)
+    return own, [f for p in both for f in possible_factors(branch, p, library)]
+
+
+def _in_postures(branch: Branch, cases: Sequence[Factor]) -> int:
+    """How many of some factors speak of postures, not of dimensions alone."""
+    degrees = (f.equations[0].degrees() for f in cases)
+    return sum(
+        any(d and k not in branch.dimensions for k, d in enumerate(own))
+        for own in degrees
     )
+
+
+def _cost(
+    branch: Branch, cases: Sequence[Factor], fixed: Sequence[Direction]
+) -> tuple[int, int, int]:
+    """Conditions that cannot be solved are dear, many simple ones are cheap.
+
+    Where angles are fixed one condition is written in many ways; those in the other
+    unknowns leave the angles fixed.
+    """
+    unsolved = [
+        f.equations[0]
+        for f in cases
+        if len(f.equations) == 1 and not is_solvable(branch, f.equations[0])
+    ]
+    terms = sum(map(len, unsolved))
+    if not fixed:
+        return terms, len(cases), 0
+    mixed = sum(any(occurs(branch.ring, p, d.angle) for d in fixed) for p in unsolved)
+    return mixed, len(cases), terms
 
 
 def _with_resolvents(branch: Branch, left: Sequence[Polynomial]) -> list[Polynomial]:
@@ -93,6 +155,23 @@ def _factor_keys(
         if len(polynomial) <= largest:
             keys |= {f.key for f in possible_factors(branch, polynomial, library)}
     return keys
+
+
+def terms_of_squares(
+    branch: Branch, polynomials: Sequence[Polynomial]
+) -> list[Polynomial] | None:
+    """The polynomials, and what vanishes wherever one that keeps its sign does.
+
+    None where there is no such one, or nothing new.
+    """
+    for polynomial in polynomials:
+        terms = vanishing_together(branch.ring, branch.assumptions, polynomial)
+        if terms is None:
+            continue
+        known = {condition_key(branch.ring, p) for p in polynomials}
+        if any(condition_key(branch.ring, term) not in known for term in terms):
+            return [*terms, *polynomials]
+    return None
 
 
 def terms_of(branch: Branch, case: Factor) -> list[Polynomial] | None:

@@ -24,19 +24,22 @@ from screwkit.algebra.cases import (
     implied_cases,
     shortest_choice,
     terms_of,
+    terms_of_squares,
 )
 from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.factors import Factor
-from screwkit.algebra.linear_systems import linear_systems
+from screwkit.algebra.fixed_directions import (
+    Direction,
+    is_mixed,
+    keeps_directions,
+)
 from screwkit.algebra.nowhere_zero import (
     is_excluded,
     loses_a_direction,
     without_nowhere_zero,
 )
 from screwkit.algebra.points import residue
-from screwkit.algebra.points_on import coefficients_in, unknowns
 from screwkit.algebra.proved_inside import left_over
-from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.search import (
     Decomposition,
     Search,
@@ -49,9 +52,9 @@ from screwkit.algebra.search import (
 )
 from screwkit.algebra.splitting import split, split_half_angle
 from screwkit.algebra.trigonometric import Polynomial
+from screwkit.algebra.unshown_parts import parts_beside, settling, told_apart
 
 _TERMS_PER_CASE = 80  # longer polynomials use up more of the budget
-_SETTLING = 60  # case distinctions to tell a branch from spurious zeros
 
 
 def common_zeros(
@@ -105,8 +108,11 @@ def _descend(
     if search.deepest is not None and branch.codimension > search.deepest:
         return
     if search.skip(branch):
-        _beside_what_is_skipped(branch, polynomials, nonzero, search)
-        return
+        if _beside_what_is_skipped(branch, polynomials, nonzero, search):
+            return
+        if not branch.directed:
+            search.unfinished.append(branch)
+            return
     polynomials = branch.without_roots(polynomials)
     left = still_open(branch, polynomials, search)
     if left is None:
@@ -129,17 +135,21 @@ def _descend(
     if search.budget <= 0:
         return
     search.budget -= 1 + sum(map(len, left)) // _TERMS_PER_CASE
-    squares = None if search.deepest is not None else _of_squares(branch, left)
-    if squares is not None:
-        if all(p != 1 for p in squares):
-            _descend(branch, squares, nonzero, search)
+    if is_mixed(branch) and _eliminated(branch, left, nonzero, search):
+        return
+    terms = None if search.deepest is not None else terms_of_squares(branch, left)
+    if terms is not None:
+        if all(p != 1 for p in terms):
+            _descend(branch, terms, nonzero, search)
         return
     choice = shortest_choice(branch, left, nonzero, search.library, search.largest)
     if choice is None:
         search.unfinished.append(branch)
         return
-    excluded = list(nonzero)
-    for case in choice:
+    # Where a direction is excluded to be (0, 0) that was searched before.
+    free = [d for d in choice.directions if not _is_among(branch, d, nonzero)]
+    excluded = [*nonzero, *(d.square(branch.ring) for d in free)]
+    for case in choice.cases:
         terms = None if search.deepest is not None else terms_of(branch, case)
         if terms is not None:
             if all(t != 1 for t in terms):
@@ -154,6 +164,9 @@ def _descend(
             _descend(child, [on_child.value(p) for p in left], kept, search)
         if len(case.equations) == 1:
             excluded.append(case.equations[0])
+    for direction in free:
+        # There the cases were not searched.
+        _where_free(branch, direction, left, nonzero, search)
 
 
 def _beside_what_is_skipped(
@@ -161,13 +174,16 @@ def _beside_what_is_skipped(
     polynomials: Sequence[Polynomial],
     nonzero: Sequence[Polynomial],
     search: Search,
-) -> None:
+) -> bool:
     """Go on with parts of a branch that its points do not show.
 
     It is skipped for its points; where conditions are pending these lie on one part.
+
+    Returns:
+        Whether these parts are known.
     """
-    if len(branch.pending) < 2:
-        return
+    if len(branch.pending) < 2 or search.surely(branch):
+        return True
     systems = left_over(branch, search.inside(branch))
     if systems is not None:
         before = branch
@@ -175,33 +191,36 @@ def _beside_what_is_skipped(
             before = without(before, pending)
         for system in systems:
             _descend(before, [*system, *polynomials], list(nonzero), search)
-        return
+        return True
     parts = other_parts(branch, search)
     if parts is None:
-        search.unfinished.append(branch)
-        return
+        return False
     for part in parts:
         on_part = replace_steps(part, part.steps[len(branch.steps) :])
         kept = [on_part.value(p) for p in nonzero]
         if all(p != 0 for p in kept):
             _descend(part, [on_part.value(p) for p in polynomials], kept, search)
+    return True
 
 
-def _of_squares(
-    branch: Branch, polynomials: Sequence[Polynomial]
-) -> list[Polynomial] | None:
-    """The polynomials, and what vanishes wherever one that keeps its sign does.
+def _is_among(
+    branch: Branch, direction: Direction, nonzero: Sequence[Polynomial]
+) -> bool:
+    """Whether it is known already that a direction is not (0, 0)."""
+    key = condition_key(branch.ring, direction.square(branch.ring))
+    return any(condition_key(branch.ring, p) == key for p in nonzero if p != 0)
 
-    None where there is no such one, or nothing new.
-    """
-    for polynomial in polynomials:
-        terms = vanishing_together(branch.ring, branch.assumptions, polynomial)
-        if terms is None:
-            continue
-        known = {condition_key(branch.ring, p) for p in polynomials}
-        if any(condition_key(branch.ring, term) not in known for term in terms):
-            return [*terms, *polynomials]
-    return None
+
+def _where_free(
+    branch: Branch,
+    direction: Direction,
+    left: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> None:
+    """Go on where the condition of an angle says nothing about it."""
+    before = without(branch, direction.pending)
+    _descend(before, [direction.across, direction.along, *left], [*nonzero], search)
 
 
 def _settle(
@@ -215,7 +234,7 @@ def _settle(
         return
     if _eliminated(branch, polynomials, nonzero, search):
         return
-    exact = told_apart(branch, search) if _is_possible(branch) else None
+    exact = told_apart(branch, search, common_zeros) if _is_possible(branch) else None
     if exact is None:
         search.unfinished.append(branch)
     else:
@@ -266,78 +285,9 @@ def _is_possible(branch: Branch) -> bool:
     )
 
 
-def told_apart(branch: Branch, search: Search) -> Branch | None:
-    """The branch with what distinguishes it from other zeros of its conditions.
-
-    The last of several pending conditions may be a product where the others vanish:
-    where all its coefficients in one unknown vanish together, it says nothing about
-    that unknown.  Such a spurious part is excluded by a polynomial of the problem that
-    does not vanish there.  None where that could not be settled.
-    """
-    if len(branch.pending) < 2 or search.every_part:
-        return branch
-    parts = other_parts(branch, search)
-    return None if parts is None else _excluding(branch, parts, search)
-
-
 def other_parts(branch: Branch, search: Search) -> tuple[Branch, ...] | None:
-    """Where all coefficients of the last pending condition in an unknown vanish.
-
-    None where it could not be settled.
-    """
-    if len(branch.pending) < 2:
-        return ()
-    last = branch.pending[-1]
-    before = without(branch, last)
-    others = {u for p in before.pending for u in unknowns(branch.ring, p.value)}
-    own = [u for u in unknowns(branch.ring, last.value) if u not in others]
-    for unknown in sorted(own):
-        coefficients = coefficients_in(branch.ring, last.value, unknown)
-        spurious = common_zeros(before, coefficients, _settling(branch, search))
-        if spurious.complete:
-            return spurious.branches
-    return _beside_a_system(branch, search)
-
-
-def _settling(branch: Branch, search: Search) -> Search:
-    """For parts as large as the branch; smaller ones are no parts of their own."""
-    own = Search(search.library, budget=_SETTLING, largest=search.largest)
-    return replace(own, skip=lambda part: part.codimension > branch.codimension)
-
-
-def _beside_a_system(branch: Branch, search: Search) -> tuple[Branch, ...] | None:
-    """The same where pending conditions determine some symbols together.
-
-    Away from the zeros of the determinant they are a graph over the other conditions,
-    as irreducible as these.
-    """
-    values = [p.value for p in branch.pending]
-    for system in linear_systems(branch.ring, values):
-        before = branch
-        for k in system.conditions:
-            before = without(before, branch.pending[k])
-        if told_apart(before, search) != before:
-            continue
-        zeros = [system.determinant, *(values[k] for k in system.conditions)]
-        for p in before.pending:
-            zeros += [zeros[0] - p.value, zeros[0] + p.value]
-        settling = replace(_settling(branch, search), budget=4 * _SETTLING)
-        spurious = common_zeros(before, zeros, settling)
-        if spurious.complete:
-            return spurious.branches
-    return None
-
-
-def _excluding(branch: Branch, spurious: Sequence[Branch], search: Search) -> Branch:
-    """The branch with an equation that fails on each spurious part of its size."""
-    extra: list[Polynomial] = []
-    for part in spurious:
-        if part.codimension > branch.codimension or not part.points:
-            continue
-        tell = [p for p in search.problem if any(residue(p, *at) for at in part.points)]
-        if tell and not any(e in tell for e in extra):
-            extra.append(min(tell, key=len))
-    return replace(branch, extra=(*branch.extra, *extra))
+    """Parts of a branch that its points do not show (`unshown_parts.parts_beside`)."""
+    return parts_beside(branch, search, common_zeros)
 
 
 def _children(
@@ -365,6 +315,8 @@ def _children(
         _descend(branch, [*parts.left, *left], list(nonzero), search)
         return [] if parts.solved is None else [parts.solved]
     at_once = branch.pending or search.deepest is not None
+    if keeps_directions(branch, condition, left):
+        at_once = False
     if at_once and not is_solvable(branch, condition):
         parts = split(branch, condition)
         if parts is not None:
@@ -385,7 +337,7 @@ def _as_large(
 ) -> list[Branch]:
     """Parts of the rest that are no limits of the solved part: those of its size."""
     size = solved.codimension
-    inner = _settling(solved, search)
+    inner = settling(solved, search)
     rest = common_zeros(replace(branch, thorough=True), left, inner)
     found = [b for b in rest.branches if b.codimension <= size]
     for b in rest.open:

@@ -53,7 +53,8 @@ class Search:
     codimension are left out: where as many equations are asked, they are no parts of
     their own (Krull), as long as zeros are not replaced by their real ones.  What is
     skipped for its points may have parts, of several pending conditions, that these do
-    not show: ``inside`` gives the equations of known sets that the points lie in.
+    not show: ``inside`` gives the equations of known sets that the points lie in, and
+    ``surely`` tells that the whole branch lies in one.
     """
 
     library: FactorLibrary
@@ -69,6 +70,7 @@ class Search:
     away: tuple[Polynomial, ...] = ()
     deepest: int | None = None
     inside: Callable[[Branch], Iterable[Sequence[Polynomial]]] = lambda branch: ()
+    surely: Callable[[Branch], bool] = lambda branch: False
 
 
 def may_hide_parts(branch: Branch, library: FactorLibrary) -> bool:

@@ -50,7 +50,7 @@ from screwkit.loci.loop_drop import (
 )
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.mechanism_figures import axes_of, figures_of, figures_on
-from screwkit.loci.pieces import Piece, pieces_of, told_apart
+from screwkit.loci.pieces import Piece, pieces_of, told_apart, without_contained
 from screwkit.loci.rank_drop import RankDrop, generic_rank
 from screwkit.loci.searching_again import searched_again
 from screwkit.loci.strata import in_ring
@@ -176,9 +176,13 @@ def _proof(minors: int, rank: int, pieces: Sequence[Piece]) -> str:
 
 
 def _in_order(pieces: Sequence[Piece]) -> list[Piece]:
-    return sorted(
-        pieces, key=lambda piece: (piece.codimension, sum(map(len, piece.equations)))
-    )
+    """Large ones and short equations first; ones of one shape beside each other."""
+
+    def key(piece: Piece) -> tuple[int, int, list[int]]:
+        sizes = sorted(map(len, piece.equations))
+        return piece.codimension, sum(sizes), sizes
+
+    return sorted(pieces, key=key)
 
 
 def _intersections(
@@ -276,7 +280,8 @@ def constraint_singularities(
         )
 
     def early(pieces: Sequence[Piece], generic: LoopState) -> None:
-        components = described(with_sheets_together(pieces), None)
+        own = with_sheets_together(without_contained(pieces))
+        components = described(own, None)
         so_far(
             ConstraintSingularities(generic.loop, False, components, reason=_UNFINISHED)
         )

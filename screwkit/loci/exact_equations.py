@@ -23,6 +23,7 @@ from functools import cached_property
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros, other_parts
 from screwkit.algebra.factor_library import FactorLibrary
+from screwkit.algebra.fixed_directions import SEVERAL, fixes_angle
 from screwkit.algebra.minors import minors_of
 from screwkit.algebra.modular import independent
 from screwkit.algebra.points import Point, rank_at, residue
@@ -126,7 +127,7 @@ def _exact(piece: Piece, singular: Singularity) -> tuple[Piece, bool]:
         if piece.is_exact:
             return piece, True
         parts, is_whole = _regular_parts(piece, singular)
-        if not parts and is_whole:
+        if not parts and (is_whole or _is_settled_along(piece, singular)):
             return piece, True
         shorter = with_shorter_equations(piece, singular.root, singular.library)
         if shorter != piece:
@@ -161,6 +162,17 @@ def _regular_parts(piece: Piece, singular: Singularity) -> tuple[list[Branch], b
             if part.points and not singular.holds_on(part):
                 found.append(part)
     return found, is_whole and not waiting
+
+
+def _is_settled_along(piece: Piece, singular: Singularity) -> bool:
+    """Whether no part is regular, seen with the angles kept that equations fix."""
+    ring = singular.root.ring
+    fixed = {fixes_angle(ring, equation) for equation in piece.equations} - {None}
+    if len(fixed) < SEVERAL:
+        return False
+    kept = replace(singular, root=replace(singular.root, directed=True))
+    parts, is_whole = _regular_parts(piece, kept)
+    return is_whole and not parts
 
 
 def _search(singular: Singularity, count: int) -> Search:

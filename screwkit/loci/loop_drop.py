@@ -22,15 +22,17 @@ from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.points import rank_at
 from screwkit.algebra.search import Search, irreducible_parts
 from screwkit.algebra.trigonometric import Polynomial
-from screwkit.kinematics.limb_parts import Parts, columns_of, motion_at
+from screwkit.kinematics.limb_parts import Parts, motion_at
 from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.kinematics.loop_state import LoopState, state_of
-from screwkit.loci.dependence import dependent_zeros
+from screwkit.loci.alike_sheets import AlikeSheets
+from screwkit.loci.either_way import zeros_either_way
 from screwkit.loci.features import listed
 from screwkit.loci.local_codimension import codimension_around
 from screwkit.loci.open_branches import lying_where, undecided
 from screwkit.loci.pieces import (
     Piece,
+    has_equations_of,
     lies_in,
     pieces_of,
     surely_in,
@@ -41,6 +43,7 @@ from screwkit.loci.wrench_sums import height_of
 
 _EFFORT = 1_200  # case distinctions in all; long polynomials count more
 _BUDGET = 150  # case distinctions on one branch
+_EARNED = 400  # more, for each branch that was decided with angles kept
 _TOGETHER = 120  # case distinctions to meet the equations of some strata
 
 
@@ -117,22 +120,43 @@ class _Walk:
     lost: Lost
     given: Sequence[Piece] = ()
     found: list[Branch] = field(default_factory=list)
+    passed: list[Branch] = field(default_factory=list)
     open: list[Branch] = field(default_factory=list)
     places: list[tuple[list[Polynomial], list[Branch]]] = field(default_factory=list)
-    signatures: dict[str, Branch] = field(default_factory=dict)
-    alike: list[tuple[Branch, Branch]] = field(default_factory=list)
+    sheets: AlikeSheets = field(default_factory=AlikeSheets)
     pieces: list[Piece] = field(default_factory=list)
     effort: int = _EFFORT
+    kept_first: bool = False
 
     def keep(self, branches: Sequence[Branch]) -> None:
         """Take note of branches on which the loops lose rank."""
-        if branches:
+        if self.kept_first:
+            self._keep_new(branches)
+        elif branches:
             self.found.extend(branches)
             self.pieces = without_contained([*self.given, *pieces_of(self.found)])
+
+    def _keep_new(self, branches: Sequence[Branch]) -> None:
+        """The same for many branches, most of which lie in larger pieces.
+
+        These are passed over; at the end all are compared with each other.
+        """
+        outside = [b for b in branches if not self._lies_in_larger(b)]
+        pieces = pieces_of(outside)
+        own = [branch for piece in pieces for branch in piece.branches]
+        self.found.extend(own)
+        self.passed.extend(b for b in branches if not any(b is o for o in own))
+        self.pieces = [*self.pieces, *pieces]
 
     def known(self, branch: Branch) -> bool:
         """Whether a branch lies in a piece that was found before."""
         return any(lies_in(branch, piece) for piece in self.pieces)
+
+    def _lies_in_larger(self, branch: Branch) -> bool:
+        return any(
+            piece.codimension < branch.codimension and lies_in(branch, piece)
+            for piece in self.pieces
+        )
 
 
 def rank_is_lost(state: LoopState, generic: LoopState) -> bool:
@@ -165,8 +189,8 @@ def loop_drop(
         lost: What is looked for instead; it must hold wherever, on some combination of
             strata, the limbs' wrench systems together lose dimensions.
         given: Pieces that are known; they are among the pieces of the answer.
-        early: Given the pieces found so far, and the generic state, whenever the search
-            of a combination found some.
+        early: Given the pieces found so far, some of which may lie in others, and the
+            generic state, whenever the search of a combination found some.
     """
     generic = loop_state(root, limbs)
     if generic is None:
@@ -190,10 +214,9 @@ def loop_drop(
             walk.places.append((conditions, walk.open[left_open:]))
         if len(walk.found) > known:
             early(walk.pieces, generic)
-    found = pieces_of([*walk.found, *_other_sheets(walk.found, walk.alike)])
-    pieces, parts = _told_from_parts(without_contained([*given, *found]), walk)
+    pieces, parts = _told_from_parts(_found_pieces(walk), walk)
     left = [*walk.open, *search.unfinished]
-    undecided = [*left, *_other_sheets(left, walk.alike)]
+    undecided = [*left, *walk.sheets.others(left)]
     if not all(limb.complete for limb in strata):
         undecided.append(root)
     undecided += [branch for part, _ in parts for branch in part.branches]
@@ -215,6 +238,19 @@ def loop_drop(
     return LoopDrop(
         generic, tuple(pieces), open_left, searched, unsearched, around, where
     )
+
+
+def _found_pieces(walk: _Walk) -> list[Piece]:
+    """The pieces found, with what was passed over and lies in none of them."""
+
+    def of(branches: Sequence[Branch]) -> list[Piece]:
+        found = pieces_of([*branches, *walk.sheets.others(branches)])
+        return without_contained([*walk.given, *found])
+
+    pieces = of(walk.found)
+    passed = [*walk.passed, *walk.sheets.others(walk.passed)]
+    left = [b for b in passed if not any(lies_in(b, piece) for piece in pieces)]
+    return of([*walk.found, *left]) if left else pieces
 
 
 def _told_from_parts(
@@ -303,7 +339,7 @@ def imposed(branch: Branch, equation: Polynomial, search: Search) -> list[Branch
 
 
 def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
-    if _is_like_another_sheet(branch, walk):
+    if walk.sheets.has_like(branch, walk.limbs):
         return
     state = loop_state(branch, walk.limbs)
     if state is None:
@@ -325,56 +361,16 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         special=[],
         budget=min(_BUDGET, walk.effort),
         skip=lambda b: any(lies_in(b, piece) for piece in elsewhere),
+        surely=lambda b: any(has_equations_of(b, piece) for piece in elsewhere),
         away=tuple(p.equations[0] for p in walk.pieces if len(p.equations) == 1),
     )
     before = search.budget
-    zeros = dependent_zeros(branch, walk.limbs, search, within=True, in_blocks=True)
+    zeros, kept = zeros_either_way(
+        branch, walk.limbs, search, kept_first=walk.kept_first
+    )
     walk.effort -= 1 + before - search.budget
+    if kept:
+        walk.kept_first = True
+        walk.effort += _EARNED
     walk.keep(zeros.branches)
     walk.open.extend(zeros.open)
-
-
-def _is_like_another_sheet(branch: Branch, walk: _Walk) -> bool:
-    """Whether a sheet of the same conditions has the same twists up to sign.
-
-    Then everything about it is the same, and it is not searched again.
-    """
-    conditions = sorted(str(condition) for condition in branch.conditions)
-    columns = [
-        [str(_up_to_sign(branch.column(column))) for column in columns_of(limb)]
-        for limb in walk.limbs
-    ]
-    signature = f"{conditions}{columns}{[str(p.value) for p in branch.pending]}"
-    other = walk.signatures.setdefault(signature, branch)
-    if other is branch:
-        return False
-    walk.alike.append((other, branch))
-    return True
-
-
-def _up_to_sign(column: Sequence[Polynomial]) -> list[Polynomial]:
-    for entry in column:
-        if entry != 0:
-            if entry.coeffs()[0] < 0:
-                return [-value for value in column]
-            break
-    return list(column)
-
-
-def _other_sheets(
-    branches: Sequence[Branch], alike: Sequence[tuple[Branch, Branch]]
-) -> list[Branch]:
-    """The branches again, below the sheets that were not searched."""
-    copies: list[Branch] = []
-    waiting = list(branches)
-    while waiting:
-        branch = waiting.pop()
-        for searched, other in alike:
-            depth = len(searched.steps)
-            if branch.steps[:depth] == searched.steps:
-                steps = (*other.steps, *branch.steps[depth:])
-                copy = replace(branch, steps=steps)
-                if not any(copy.steps == known.steps for known in copies):
-                    copies.append(copy)
-                    waiting.append(copy)
-    return copies

@@ -210,6 +210,14 @@ def lies_in(branch: Branch, piece: Piece) -> bool:
     return bool(points) and all(piece.contains(*point) for point in points)
 
 
+def has_equations_of(branch: Branch, piece: Piece) -> bool:
+    """Whether the steps of a branch, and its conditions, say what a piece does.
+
+    Then all of it lies there, whatever its pending conditions are.
+    """
+    return all(str(e) in branch.texts or branch.value(e) == 0 for e in piece.equations)
+
+
 def surely_in(branch: Branch, piece: Piece) -> bool:
     """Whether all of a branch lies on a piece, with parts that its points do not show.
 

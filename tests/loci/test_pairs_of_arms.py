@@ -227,7 +227,7 @@ def test_a_search_that_ends_on_a_part_does_not_list_it(
             parts += restricted(whole, whole.value(free))
         return replace(zeros, branches=tuple(parts))
 
-    monkeypatch.setattr("screwkit.loci.loop_drop.dependent_zeros", missing)
+    monkeypatch.setattr("screwkit.loci.either_way.dependent_zeros", missing)
     answer = sk.singularities(sk.load("dual_planar_arm")).constraint
     assert not answer.complete
     assert not answer.components

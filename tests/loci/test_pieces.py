@@ -19,7 +19,12 @@ from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.case import load_text
 from screwkit.loci.meetings import recovered
-from screwkit.loci.pieces import Piece, pieces_of, without_contained
+from screwkit.loci.pieces import (
+    Piece,
+    has_equations_of,
+    pieces_of,
+    without_contained,
+)
 from screwkit.questions import singularities
 
 
@@ -180,3 +185,18 @@ def test_what_holds_already_is_imposed_once() -> None:
     assert list(twice.equations(())) == [second]
     left = without(twice, twice.pending[0])
     assert (len(left.pending), list(left.conditions)) == (1, [second])
+
+
+def test_solved_conditions_say_what_a_piece_does() -> None:
+    """Where x = y and z = u, x·z = y·u; a pending condition is known by its text."""
+    product, cubic, inner = pieces_where(
+        ["x*z - y*u"],
+        ["x^3*t + y^3*s + x*y"],
+        ["x - y", "z - u", "z^3*t^2 + s^3 + v^3 + 1"],
+    )
+    (branch,) = inner[0].branches
+    assert branch.pending
+    assert has_equations_of(branch, product[0])
+    assert has_equations_of(branch, inner[0])
+    assert not has_equations_of(branch, cubic[0])
+    assert not has_equations_of(product[0].branches[0], inner[0])

@@ -1,0 +1,65 @@
+"""Where limbs become dependent, with angles solved or kept that conditions fix.
+
+Links of several limbs that point along lines each fix an angle of their own
+(`algebra.fixed_directions`).  Solved for coordinates of the platform such conditions
+lose that form; where this leaves something undecided they are kept as they are.
+
+References: [CoxLittleOShea] §5.4 (the coordinate ring of a variety).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.fixed_directions import SEVERAL, has_directions_alone
+from screwkit.algebra.search import Search
+from screwkit.kinematics.limb_parts import Parts
+from screwkit.loci.dependence import Dependence, dependent_zeros
+
+_KEPT = 900
+"""Case distinctions on a branch where angles are kept."""
+
+
+def zeros_either_way(
+    branch: Branch, limbs: Sequence[Parts], search: Search, *, kept_first: bool
+) -> tuple[Dependence, bool]:
+    """Where on a branch the limbs lose a dimension together, of what keeps their ranks.
+
+    Args:
+        branch: Irreducible.
+        limbs: Parts of each limb, in coordinates that tell their twists apart.
+        search: Budget, known factors, and what to leave out.  Where angles are kept a
+            budget of its own is used.
+        kept_first: Keep angles before they are solved; for where this went to the end
+            on other branches.
+
+    Returns:
+        What was found, by the way that left nothing undecided if there is one, and
+        whether it is the one that keeps angles.
+    """
+    if not has_directions_alone(branch):
+        return _zeros(branch, limbs, search), False
+    if kept_first and len(branch.pending) >= SEVERAL:
+        found = _with_angles_kept(branch, limbs, search)
+        return (_zeros(branch, limbs, search), False) if found.open else (found, True)
+    solved = _zeros(branch, limbs, search)
+    if not solved.open:
+        return solved, False
+    found = _with_angles_kept(branch, limbs, search)
+    return (solved, False) if found.open else (found, True)
+
+
+def _with_angles_kept(
+    branch: Branch, limbs: Sequence[Parts], search: Search
+) -> Dependence:
+    """The finds are branches like others, whose angles may be solved."""
+    kept = replace(branch, directed=True)
+    found = _zeros(kept, limbs, replace(search, budget=_KEPT))
+    plain = tuple(replace(part, directed=False) for part in found.branches)
+    return replace(found, branches=plain)
+
+
+def _zeros(branch: Branch, limbs: Sequence[Parts], search: Search) -> Dependence:
+    return dependent_zeros(branch, limbs, search, within=True, in_blocks=True)
