@@ -123,6 +123,10 @@ def certified_graph(
     return Certificate(SCHEMA, answer.case, version, mechanism, tuple(parts))
 
 
+MOST = 60
+"""Components of a list for which proofs are looked for."""
+
+
 class PartDerivation:
     """One part under way."""
 
@@ -172,6 +176,10 @@ class PartDerivation:
         locked: Sequence[str] = (),
     ) -> Part:
         """The claims with their proof, or with the reason why there is none."""
+        if len(components) > MOST:
+            part = self._claims(question, (), (), (), limb, locked)
+            many = f"of more than {MOST} components none is listed"
+            return replace(part, reason=f"{many}; there are {len(components)}")
         loci = [self._polynomials(component) for component in components]
         try:
             part = self._claims(question, components, idle, loci, limb, locked)

@@ -133,3 +133,13 @@ def test_a_component_that_starts_with_a_pair_in_half_angles_has_postures() -> No
     (limb,) = arm.limb
     assert any(len(c.equations) > c.codimension for c in limb.components)
     assert limb.certified, limb.uncertified
+
+
+def test_of_a_very_long_list_no_component_is_listed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("screwkit.certificates.certification.MOST", 1)
+    limb = answered.__wrapped__(tmp_path).limb[0]
+    assert limb.complete
+    assert not limb.certified
+    assert limb.uncertified == "of more than 1 components none is listed; there are 2"
