@@ -25,7 +25,7 @@ from screwkit.algebra.fixed_directions import (
 from screwkit.algebra.implied import LONGEST, eliminants, resolvents
 from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.substitution import reduced
-from screwkit.algebra.trigonometric import Polynomial
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 SHORT = 200
 """Terms of a polynomial whose possible factors are kept; they depend on no branch."""
@@ -35,6 +35,7 @@ _POSSIBLE: WeakKeyDictionary[
 ] = WeakKeyDictionary()
 
 _TRIED = 10  # polynomials that are factored to choose the next case split
+_PLAIN = 4_000_000  # terms of a polynomial in symbols alone that is factored
 _ALONE = 2_000  # terms of the shortest one, which is factored before all is left open
 
 
@@ -49,6 +50,22 @@ class Choice:
 
     cases: tuple[Factor, ...]
     directions: tuple[Direction, ...] = ()
+
+
+def is_too_long(ring: TrigonometricRing, polynomial: Polynomial, largest: int) -> bool:
+    """Whether a polynomial is not factored, even if nothing else is left.
+
+    Args:
+        ring: Of the polynomial.
+        polynomial: In normal form.
+        largest: Terms of what has sines and cosines, or roots of symbols; without them
+            FLINT factors millions, as they stand.
+    """
+    if len(polynomial) <= largest:
+        return False
+    first = ring.symbol_indices().start  # numbers come after the symbols
+    plain = not any(polynomial.degrees()[:first])
+    return not plain or len(polynomial) > _PLAIN
 
 
 def shortest_choice(
@@ -68,7 +85,11 @@ def shortest_choice(
     best: Choice | None = None
     for polynomial in _with_resolvents(branch, polynomials)[:_TRIED]:
         own, cases = _on_directions(branch, polynomial, fixed, library)
-        if len(polynomial) <= (largest if best else max(largest, _ALONE)):
+        if best is None:
+            short = not is_too_long(branch.ring, polynomial, max(largest, _ALONE))
+        else:
+            short = len(polynomial) <= largest
+        if short:
             plain = possible_factors(branch, polynomial, library)
             if not own or len(plain) >= _in_postures(branch, cases):
                 own, cases = (), plain

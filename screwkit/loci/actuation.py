@@ -43,9 +43,9 @@ from screwkit.loci.searching_again import searched_again
 from screwkit.loci.witness import Witnesses
 from screwkit.loci.wrench_sums import height_of
 
-_LONGEST = 4_000_000  # terms of a polynomial that is factored
+_LONGEST = 60_000  # terms of a polynomial that is factored
 _APART = 300  # case distinctions where the whole determinant is too long
-_IDLE = 2_000  # case distinctions on all idle pieces
+_IDLE = 300  # case distinctions on all idle pieces
 
 
 def passive_joints(assembly: Assembly, actuated: Collection[str]) -> tuple[str, ...]:
@@ -194,8 +194,8 @@ def _by_limbs(
     that the whole left open stay, unless they are everything.
     """
     kept = dependent_zeros(root, limbs, search, within=True)
-    # A long determinant may have used up what there was.
-    search = replace(search, budget=_APART, found=[], unfinished=[], special=[])
+    if not kept.open:  # one long determinant may have used up what there was
+        search = replace(search, budget=_APART, found=[], unfinished=[], special=[])
     drops = [rank_drop(root, limb, search).decomposition for limb in limbs if limb]
     branches = [*whole.branches, *kept.branches]
     left = [*kept.open]

@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.cases import is_too_long
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.search import Search
 from screwkit.algebra.taken_apart import Apart, taken_apart
@@ -104,12 +105,12 @@ class _Zeros:
             if minors is None or self.search.budget <= 0:
                 left.append(here)
                 continue
-            shortest = min(map(len, minors))
-            if self.is_part and shortest > _LONG:
+            shortest = min(minors, key=len)
+            if self.is_part and len(shortest) > _LONG:
                 return Dependence((), (here,))
-            if shortest > self.search.largest:
+            if is_too_long(here.ring, shortest, self.search.largest):
                 reasons.append(
-                    f"a determinant has {shortest:,} terms, too many to factor"
+                    f"a determinant has {len(shortest):,} terms, too many to factor"
                 )
             own = replace(self.search, found=[], unfinished=[], special=[])
             zeros = common_zeros(here, minors, own)
