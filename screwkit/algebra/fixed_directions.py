@@ -15,14 +15,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from screwkit.algebra.branches import Branch, Pending
 from screwkit.algebra.common_factors import without_common_factors
 from screwkit.algebra.division import Divisor
 from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.half_angle import HalfAngles
-from screwkit.algebra.restrictions import Layout
+from screwkit.algebra.restrictions import Layout, coefficients
 from screwkit.algebra.substitution import angle_parts
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
@@ -219,33 +218,20 @@ def _split(ring: TrigonometricRing, parts: _Parts, direction: Direction) -> _Par
     With N = w², a monomial of degree d in sin φ and cos φ is one in P and Q over w^d.
     """
     places = ring.sine_index(direction.angle), ring.cosine_index(direction.angle)
-    gathered = {key: _gathered(value, places) for key, value in parts.items()}
+    gathered = {k: coefficients(v, ring.names, places) for k, v in parts.items()}
     most = max(sum(powers) // 2 for own in gathered.values() for powers in own)
     square = direction.square(ring)
     found: _Parts = {}
     for key, own in gathered.items():
-        for (sine, cosine), terms in own.items():
+        for (sine, cosine), part in own.items():
             half, odd = divmod(sine + cosine, 2)
-            value = ring.context.from_dict(terms)
-            value = ring.normal(value * (-direction.along) ** sine)
+            value = ring.normal(part * (-direction.along) ** sine)
             value = ring.normal(value * direction.across**cosine)
             value = ring.normal(value * square ** (most - half))
             place = (*key, odd)
             found[place] = found.get(place, ring.zero) + value
     found = {key: v for key, value in found.items() if (v := ring.normal(value)) != 0}
     return _without(ring, found, square)
-
-
-def _gathered(
-    polynomial: Polynomial, places: tuple[int, int]
-) -> dict[tuple[int, int], dict[tuple[int, ...], Any]]:
-    """Terms by their powers of two generators, without these."""
-    groups: dict[tuple[int, int], dict[tuple[int, ...], Any]] = {}
-    for exponents, coefficient in polynomial.to_dict().items():
-        rest = tuple(0 if i in places else e for i, e in enumerate(exponents))
-        powers = int(exponents[places[0]]), int(exponents[places[1]])
-        groups.setdefault(powers, {})[rest] = coefficient
-    return groups
 
 
 def _without(ring: TrigonometricRing, parts: _Parts, square: Polynomial) -> _Parts:

@@ -89,11 +89,14 @@ def shape(
     if not variables or any(bounds[i] for i in layout.extensions):
         return _UNKNOWN
     angles = [v for v in variables if len(v) == 2]
-    if not angles and not layout.constants and len(polynomial) <= _FACTORED:
-        return Shape(False, True)
+    linear = next((v for v in variables if len(v) == 1 and bounds[v[0]] == 1), None)
+    unknown = _UNKNOWN
+    if not angles and not layout.constants:
+        unknown = Shape(False, True)  # nothing but generators occurs
+        if linear is None or len(polynomial) <= _FACTORED:
+            return unknown
     if len(variables) == 1 and len(polynomial) == 1 and polynomial.total_degree() == 1:
         return _PROVED  # sin q and cos q count as irreducible
-    linear = next((v for v in variables if len(v) == 1 and bounds[v[0]] == 1), None)
     turning = [v for v in angles if _turns_sign(layout, polynomial, v)]
     for attempt in range(ATTEMPTS):
         if probe is None:
@@ -106,12 +109,14 @@ def shape(
             found = _UNKNOWN
             if owned:
                 found = _beside(layout, polynomial, probe, owned[0], known)
-                if found.settled or found == _UNKNOWN:
+                if found == _UNKNOWN:
+                    return unknown
+                if found.settled:
                     return found
             if owned or not any(_is_squarefree(known[v]) for v in angles):
                 return _simplest(layout, polynomial, (probe, known), owned, found)
         probe = None
-    return _UNKNOWN
+    return unknown
 
 
 def _simplest(

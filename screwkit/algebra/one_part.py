@@ -25,6 +25,7 @@ from flint.utils.flint_exceptions import DomainError
 
 from screwkit.algebra.branches import Branch, random_branch_prime
 from screwkit.algebra.fixed_directions import Direction, over_roots
+from screwkit.algebra.substitution import linear_parts
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 _Element = dict[int, Any]  # by which roots are factors, as bits
@@ -50,7 +51,7 @@ def leaves_one_part(
     return any(
         degrees[index] == 1
         and not any(own[index] for own in fixed)
-        and _are_coprime(ring, _linear(ring, condition, index), directions)
+        and _are_coprime(ring, linear_parts(ring, condition, index), directions)
         for index in ring.symbol_indices()
     )
 
@@ -82,18 +83,6 @@ def _is_square(polynomial: Any) -> bool:
     except DomainError:
         return False
     return True
-
-
-def _linear(
-    ring: TrigonometricRing, condition: Polynomial, index: int
-) -> tuple[Polynomial, Polynomial]:
-    """A and B of A + l·B."""
-    coefficients: tuple[dict[tuple[int, ...], Any], ...] = ({}, {})
-    for powers, number in condition.to_dict().items():
-        rest = tuple(0 if k == index else e for k, e in enumerate(powers))
-        coefficients[int(powers[index])][rest] = number
-    first, second = (ring.context.from_dict(terms) for terms in coefficients)
-    return first, second
 
 
 def _are_coprime(
