@@ -7,7 +7,7 @@ is said.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import islice
 
@@ -128,7 +128,10 @@ class GeneralClaims:
             raise RefusedError("there are no dimensions that could be special")
         active = self._sheets.active(way)
         # What is tied where one condition holds is tied where more do.
+        free = self._seen_free(node, way, active) if len(active) > 1 else set()
         for text in active or (None,):
+            if text in free:
+                continue
             wider = replace(way, conditions=() if text is None else (text,))
             if self._are_tied(wider, text, alone=len(active) < 2):
                 return
@@ -150,6 +153,25 @@ class GeneralClaims:
         except RefusedError:
             return False
         return bool(self._names)
+
+    def _seen_free(self, node: Node, way: Way, active: Sequence[str]) -> set[str]:
+        """Conditions that leave the dimensions free near a posture of the node.
+
+        Each alone, where it changes in some direction there.
+        """
+        try:
+            point, _ = next(self._postures.meeting(way, node.roots))
+            rows = self._postures.changes(point, way, [*self._names, *active])
+        except (RefusedError, ResampleError):
+            return set()
+        count = len(self._names)
+        return {
+            text
+            for place, text in enumerate(active, count)
+            if any(row[place] != 0 for row in rows)
+            and self._matrix.rank_of([[*row[:count], row[place]] for row in rows])
+            > count
+        }
 
     def _are_tied(self, way: Way, text: str | None, *, alone: bool) -> bool:
         """Whether the dimensions are tied on all sheets of a condition."""

@@ -308,27 +308,27 @@ class Postures:
             texts: Of the expressions.
         """
         directions = [*range(len(point.turns)), *point.numbers]
-        rows = []
-        for direction in directions:
-            ring = DualRing.along(point, self.declared, direction)
-            choices = point.sheet
-            for step in reversed(way.steps):
-                if step.kind == "numbers":
-                    turn = self._numbers_turn(point, step.numbers, choices & 1)
-                    ring.turns[step.angle] = ring.still(turn)
-                    choices >>= 1
-                else:
-                    self._follow(ring, step)
-            rows.append([ring.of(read(text)).change for text in texts])
-        return rows
+        ring = DualRing(point, self.declared, directions)
+        choices = point.sheet
+        for step in reversed(way.steps):
+            if step.kind == "numbers":
+                turn = self._numbers_turn(point, step.numbers, choices & 1)
+                ring.turn(step.angle, ring.still(turn))
+                choices >>= 1
+            else:
+                self._follow(ring, step)
+        changes = [ring.of(read(text)).changes for text in texts]
+        return [
+            [own.get(k, point.zero) for own in changes] for k in range(len(directions))
+        ]
 
     def _follow(self, ring: DualRing, step: Step) -> None:
         over = ring.of(read(step.over))
         if step.kind == "symbol":
-            ring.numbers[step.symbol] = ring.of(read(step.value)).over(over)
+            ring.replace(step.symbol, ring.of(read(step.value)).over(over))
         else:
             cosine = ring.of(read(step.cosine)).over(over)
-            ring.turns[step.angle] = cosine, ring.of(read(step.sine)).over(over)
+            ring.turn(step.angle, (cosine, ring.of(read(step.sine)).over(over)))
 
     def twists(self, point: PointRing) -> Mapping[str, tuple[Any, ...]]:
         """The twists at a posture, by freedom, times their scales."""

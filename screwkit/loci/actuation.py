@@ -27,6 +27,7 @@ from screwkit.loci.exact_equations import (
     with_exact_equations,
 )
 from screwkit.loci.hybrid_actuation import hybrid_actuation_locus
+from screwkit.loci.lasting_wrenches import all_are_held
 from screwkit.loci.loop_drop import loop_state
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.mechanism_figures import figures_of
@@ -125,6 +126,11 @@ class _Scheme:
         reasons = dict.fromkeys(() if complete else (zeros.reason or undecided,))
         moving = [piece for piece in pieces if self.state(piece).platform_freedom]
         waiting = [p for p in pieces if not self.state(p).platform_freedom]
+        plain = Search(self.library, largest=_LONGEST)
+        if waiting and all_are_held(
+            root, limbs, moving, waiting, plain, all_known=complete
+        ):
+            waiting = []
         search = Search(self.library, budget=_IDLE)
         search.skip = lambda branch: any(lies_in(branch, known) for known in moving)
         search.inside = lambda branch: (
@@ -193,7 +199,7 @@ def _by_limbs(
     whose twists keep their ranks do.  Where that leaves something open too, the pieces
     that the whole left open stay, unless they are everything.
     """
-    kept = dependent_zeros(root, limbs, search, within=True)
+    kept = dependent_zeros(root, limbs, search, within=True, in_blocks=True)
     if not kept.open:  # one long determinant may have used up what there was
         search = replace(search, budget=_APART, found=[], unfinished=[], special=[])
     drops = [rank_drop(root, limb, search).decomposition for limb in limbs if limb]

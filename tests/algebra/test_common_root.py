@@ -8,7 +8,7 @@ from flint import nmod
 
 from screwkit.algebra.common_root import common_root, interpolated
 from screwkit.algebra.constants import ConstantField
-from screwkit.algebra.dual_point import DualRing
+from screwkit.algebra.dual_point import Dual, DualRing
 from screwkit.algebra.exact_point import PointRing, random_turn
 from screwkit.algebra.parse import parse
 
@@ -49,19 +49,35 @@ def test_derivatives_are_those_of_calculus() -> None:
     text = parse("x*sin(q + r)^2/(1 + x^2)")
     sine, cosine = (point.value(parse(f"{name}(q + r)")) for name in ("sin", "cos"))
     below = 1 + x * x
-    by_first = DualRing.along(point, declared, 0).of(text)
-    assert by_first.change == x * 2 * sine * cosine * 2 / below  # q + r turns twice
-    by_symbol = DualRing.along(point, declared, "x").of(text)
-    assert by_symbol.change == sine * sine * (1 - x * x) / (below * below)
-    assert by_symbol.value == point.value(text)
+    found = DualRing(point, declared, ["x", 0]).of(text)
+    by_symbol, by_first = found.changes[0], found.changes[1]
+    assert by_first == x * 2 * sine * cosine * 2 / below  # q + r turns twice
+    assert by_symbol == sine * sine * (1 - x * x) / (below * below)
+    assert found.value == point.value(text)
+
+
+def test_what_is_replaced_changes_as_it_is_told() -> None:
+    """d/dx of x·cos q is −sin q·x·x' + cos q, q turning with x and still otherwise."""
+    source = random.Random(4)
+    (cosine, sine) = random_turn(source, P)
+    x = nmod(source.randrange(P), P)
+    field = ConstantField.needed_by([], 1)
+    point = PointRing(P, field, {"q": {0: 1}}, [(cosine, sine)], {"x": x})
+    ring = DualRing(point, {"q": {0: 1}}, ["x"])
+    text = parse("x*cos(q)")
+    assert ring.of(text).changes[0] == cosine
+    ring.turn(0, (Dual(cosine, {0: -sine}), Dual(sine, {0: cosine})))
+    assert ring.of(text).changes[0] == cosine - x * sine
+    ring.replace("x", ring.of(parse("x^2")))
+    assert ring.of(text).changes[0] == 2 * x * cosine - x * x * sine
 
 
 def test_roots_change_by_half_the_change_over_the_root() -> None:
     field = ConstantField.needed_by([], 1)
     point = PointRing(P, field, {}, [], {"x": nmod(9, P)})
-    root = DualRing.along(point, {}, "x").of(parse("sqrt(x)"))
+    root = DualRing(point, {}, ["x"]).of(parse("sqrt(x)"))
     assert root.value * root.value == 9
-    assert root.change * 2 * root.value == 1
+    assert root.changes[0] * 2 * root.value == 1
 
 
 def test_moved_points_are_like_new_ones() -> None:

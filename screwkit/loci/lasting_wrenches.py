@@ -1,0 +1,108 @@
+"""Wrenches that limbs have at every posture, and where these let go of the platform.
+
+The wrenches of a limb found by Cramer's rule are polynomials reciprocal to its twists,
+divided by what they share.  They stay reciprocal where the limb loses rank, though it
+has others there.  So wherever the platform can move they have lost rank: what lies
+elsewhere on a piece on which a limb idles need not be searched.
+
+References: [CoxLittleOShea] §9.1 (determinantal varieties), [LongCaroKhalil2012] (26).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.modular import rank
+from screwkit.algebra.points import residue
+from screwkit.algebra.search import Search
+from screwkit.algebra.trigonometric import Polynomial
+from screwkit.kinematics.limb_parts import Parts, columns_of, has_loops, motion_at
+from screwkit.loci.pieces import Piece, lies_in, surely_in
+from screwkit.loci.rank_drop import extensors
+from screwkit.loci.wrench_blocks import block_minors
+from screwkit.loci.wrench_sums import height_of
+from screwkit.loci.wrench_vectors import Vector, overlap_minors, spanning_wrenches
+
+_DEAREST = 3_000_000  # products of terms in a minor of all wrenches
+_LONGEST = 4_000  # terms of all their minors
+_BUDGET = 150  # case distinctions on one list of minors
+
+
+def all_are_held(
+    root: Branch,
+    limbs: Sequence[Parts],
+    moving: Sequence[Piece],
+    idle: Sequence[Piece],
+    search: Search,
+    *,
+    all_known: bool,
+) -> bool:
+    """Whether the platform is shown to be held wherever no piece says that it moves.
+
+    Args:
+        root: The whole configuration space.
+        limbs: Passive twists of each, that hold the platform in general.
+        moving: Pieces on which the platform moves in general.
+        idle: Pieces on which only limbs move, in general.
+        search: Known factors.
+        all_known: Whether these are all pieces of codimension 1 on which more moves.
+    """
+    if not all(limbs):
+        return True  # the platform is locked to the base by a limb
+    height = height_of(limbs)
+    if not root.points or any(map(has_loops, limbs)):
+        return False
+    wrenches = [w for limb in limbs for w in _wrenches(root, limb, height, search)]
+    if all_known and len(wrenches) == height:
+        # Their determinant vanishes on pieces of codimension 1 and nowhere else.
+        return all(_are_independent(wrenches, p) for p in idle if p.codimension == 1)
+    lists = block_minors(root, limbs, height, search)
+    if lists is None:
+        at = root.points[0]
+        minors = overlap_minors(root, wrenches, at, _DEAREST, _LONGEST)
+        lists = [minors] if minors else []
+    return bool(lists) and all(
+        _lie_in(root, minors, moving, search) for minors in lists
+    )
+
+
+def _wrenches(root: Branch, limb: Parts, height: int, search: Search) -> list[Vector]:
+    """Reciprocal to a limb's twists everywhere; in general they span its system."""
+    size = max(motion_at(limb, height, *at).dimension for at in root.points)
+    if size == height:
+        return []
+    chart = extensors(root, [*columns_of(limb)], size, search.library)[0]
+    return spanning_wrenches(root, chart, height, size, search.library)
+
+
+def _are_independent(wrenches: Sequence[Vector], piece: Piece) -> bool:
+    """Whether wrenches are, in general on each sheet of a piece."""
+    return all(
+        any(
+            rank([[residue(x, point, prime) for x in w] for w in wrenches], prime)
+            == len(wrenches)
+            for point, prime in branch.points
+        )
+        for branch in piece.branches
+    )
+
+
+def _lie_in(
+    root: Branch, minors: Sequence[Polynomial], known: Sequence[Piece], search: Search
+) -> bool:
+    """Whether all common zeros lie in known pieces."""
+    own = replace(
+        search,
+        found=[],
+        unfinished=[],
+        special=[],
+        budget=_BUDGET,
+        skip=lambda branch: any(lies_in(branch, piece) for piece in known),
+    )
+    zeros = common_zeros(root, minors, own)
+    return not zeros.branches and all(
+        any(surely_in(branch, piece) for piece in known) for branch in zeros.open
+    )
