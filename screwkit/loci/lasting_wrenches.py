@@ -11,10 +11,11 @@ References: [CoxLittleOShea] §9.1 (determinantal varieties), [LongCaroKhalil201
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.minors import minors_of_size
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import residue
 from screwkit.algebra.search import Search
@@ -55,10 +56,14 @@ def all_are_held(
     height = height_of(limbs)
     if not root.points or any(map(has_loops, limbs)):
         return False
-    wrenches = [w for limb in limbs for w in _wrenches(root, limb, height, search)]
-    if all_known and len(wrenches) == height:
-        # Their determinant vanishes on pieces of codimension 1 and nowhere else.
-        return all(_are_independent(wrenches, p) for p in idle if p.codimension == 1)
+    systems = [_wrenches(root, limb, height, search) for limb in limbs]
+    wrenches = [wrench for own in systems for wrench in own.wrenches]
+    if all_known and sum(own.dimension for own in systems) == height:
+        # Where those of each limb are independent, one determinant tells all; it
+        # vanishes on pieces of codimension 1 and nowhere else.
+        return all(_span_all(wrenches, p) for p in idle if p.codimension == 1) and all(
+            _lie_in(root, own.minors(root), moving, search) for own in systems
+        )
     lists = block_minors(root, limbs, height, search)
     if lists is None:
         at = root.points[0]
@@ -69,21 +74,35 @@ def all_are_held(
     )
 
 
-def _wrenches(root: Branch, limb: Parts, height: int, search: Search) -> list[Vector]:
+@dataclass(frozen=True)
+class _Lasting:
     """Reciprocal to a limb's twists everywhere; in general they span its system."""
+
+    wrenches: Sequence[Vector]
+    dimension: int
+
+    def minors(self, root: Branch) -> list[Polynomial]:
+        """Zero together where they span less; a zero of one determinant is left out."""
+        if len(self.wrenches) == self.dimension:
+            return [root.ring.one]
+        return minors_of_size(root.ring, self.wrenches, self.dimension)
+
+
+def _wrenches(root: Branch, limb: Parts, height: int, search: Search) -> _Lasting:
     size = max(motion_at(limb, height, *at).dimension for at in root.points)
     if size == height:
-        return []
+        return _Lasting((), 0)
     chart = extensors(root, [*columns_of(limb)], size, search.library)[0]
-    return spanning_wrenches(root, chart, height, size, search.library)
+    found = spanning_wrenches(root, chart, height, size, search.library)
+    return _Lasting(found, height - size)
 
 
-def _are_independent(wrenches: Sequence[Vector], piece: Piece) -> bool:
-    """Whether wrenches are, in general on each sheet of a piece."""
+def _span_all(wrenches: Sequence[Vector], piece: Piece) -> bool:
+    """Whether wrenches span all coordinates, in general on each sheet of a piece."""
     return all(
         any(
             rank([[residue(x, point, prime) for x in w] for w in wrenches], prime)
-            == len(wrenches)
+            == len(wrenches[0])
             for point, prime in branch.points
         )
         for branch in piece.branches
