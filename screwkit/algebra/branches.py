@@ -95,6 +95,14 @@ class Branch:
         """Of the conditions."""
         return frozenset(map(str, self.conditions))
 
+    @cached_property
+    def told(self) -> tuple[dict[str, bool], dict[str, bool]]:
+        """By texts of polynomials of the whole ring, as far as these were asked for.
+
+        Whether they vanish at the points of the branch, and by its steps alone.
+        """
+        return {}, {}
+
     @property
     def sheets(self) -> tuple[Polynomial, ...]:
         """What tells this branch from the other sheets of the same conditions."""

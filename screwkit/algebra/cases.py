@@ -34,8 +34,10 @@ _POSSIBLE: WeakKeyDictionary[
     FactorLibrary, dict[tuple[Assumptions, str], tuple[Factor, ...]]
 ] = WeakKeyDictionary()
 
+MOST_TERMS = 4_000_000
+"""Terms of a polynomial that is expanded, divided, or factored without sines."""
+
 _TRIED = 10  # polynomials that are factored to choose the next case split
-_PLAIN = 4_000_000  # terms of a polynomial in symbols alone that is factored
 _ALONE = 2_000  # terms of the shortest one, which is factored before all is left open
 
 
@@ -65,7 +67,7 @@ def is_too_long(ring: TrigonometricRing, polynomial: Polynomial, largest: int) -
         return False
     first = ring.symbol_indices().start  # numbers come after the symbols
     plain = not any(polynomial.degrees()[:first])
-    return not plain or len(polynomial) > _PLAIN
+    return not plain or len(polynomial) > MOST_TERMS
 
 
 def shortest_choice(

@@ -13,9 +13,10 @@ from dataclasses import dataclass, field
 from screwkit.algebra.division import Divisor, exact_quotient
 from screwkit.algebra.half_angle import Form, HalfAngles
 from screwkit.algebra.irreducible import Shape, is_irreducible, shape
+from screwkit.algebra.known_factors import KnownFactors
 from screwkit.algebra.over_roots import quotient_number, square_roots
 from screwkit.algebra.points import residue
-from screwkit.algebra.restrictions import Layout, Probe, Restrictions, divides
+from screwkit.algebra.restrictions import Layout, Probe, Restrictions
 from screwkit.algebra.scaled_symbols import scaled
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
@@ -53,15 +54,6 @@ class Factor:
         return self.equations[0]
 
 
-@dataclass(frozen=True)
-class _Known:
-    """A factor, ready to be divided out."""
-
-    factor: Factor
-    divisor: Divisor
-    restrictions: Restrictions
-
-
 class FactorLibrary:
     """What has been factored in one ring, and the tools to factor more.
 
@@ -80,7 +72,7 @@ class FactorLibrary:
         self._roots = square_roots(ring)
         self._rational: FactorLibrary | None = None
         self._pieces: dict[str, list[tuple[Factor, int]]] = {}
-        self._known: list[_Known] = []
+        self._known = KnownFactors(self._layout)
         self._residues: dict[str, tuple[int, ...]] = {}
         for sine, cosine in zip(ring.sines, ring.cosines, strict=True):
             self.irreducible(sine)
@@ -108,7 +100,7 @@ class FactorLibrary:
                     restrictions = self._probe.restrictions(polynomial)
                 if restrictions:
                     divisor = self._divisor(polynomial)
-                    self._known.append(_Known(factor, divisor, restrictions))
+                    self._known.add(key, divisor, restrictions)
         return factor
 
     def is_extended(self, polynomial: Polynomial) -> bool:
@@ -125,7 +117,8 @@ class FactorLibrary:
             known = self._probe.restrictions(polynomial)
         if known is None:
             return self.paired(self.split(polynomial))
-        found, rest, known = self._divided(polynomial, known)
+        keys, rest, known = self._known.divided(polynomial, known)
+        found = [(self.factors[key], number) for key, number in keys]
         if not rest.is_constant():
             found = found + self.split(rest, known)
         return self.paired(collected(found))
@@ -199,36 +192,6 @@ class FactorLibrary:
     def prime(self) -> int:
         """The modulus of residues."""
         return self._layout.prime
-
-    def _divided(
-        self, polynomial: Polynomial, known: Restrictions
-    ) -> tuple[list[tuple[Factor, int]], Polynomial, Restrictions]:
-        """Known factors of a polynomial, what is left of it, and its restrictions.
-
-        A factor must divide in all restrictions; the division itself is exact, so
-        nothing rests on the point.
-        """
-        found = []
-        for entry in self._known:
-            multiplicity = 0
-            parts = entry.restrictions
-            while divides(parts, known):
-                quotient = entry.divisor.divide(polynomial)
-                if quotient is None:
-                    break
-                polynomial = primitive(quotient)
-                occurs = self._layout.degrees(polynomial)
-                known = {
-                    v: restricted // parts[v] if v in parts else restricted
-                    for v, restricted in known.items()
-                    if v in occurs
-                }
-                multiplicity += 1
-            if multiplicity:
-                found.append((entry.factor, multiplicity))
-                if polynomial.is_constant():
-                    break
-        return found, polynomial, known
 
     def _each(
         self, pieces: Sequence[tuple[Polynomial, int]]

@@ -218,7 +218,7 @@ def _split(ring: TrigonometricRing, parts: _Parts, direction: Direction) -> _Par
     With N = w², a monomial of degree d in sin φ and cos φ is one in P and Q over w^d.
     """
     places = ring.sine_index(direction.angle), ring.cosine_index(direction.angle)
-    gathered = {k: coefficients(v, ring.names, places) for k, v in parts.items()}
+    gathered = {k: coefficients(v, places) for k, v in parts.items()}
     most = max(sum(powers) // 2 for own in gathered.values() for powers in own)
     square = direction.square(ring)
     found: _Parts = {}

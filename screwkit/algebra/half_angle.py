@@ -319,7 +319,7 @@ class HalfAngles:
         self, polynomial: Polynomial, places: Sequence[int]
     ) -> dict[tuple[int, ...], Polynomial]:
         """The coefficients of a polynomial with respect to some generators."""
-        return coefficients(polynomial, self._names, places)
+        return coefficients(polynomial, places)
 
     def _sum(self, terms: Iterable[Polynomial]) -> Polynomial:
         return sum(terms, self._context.constant(0))

@@ -181,7 +181,7 @@ def _beside(
     known: Restrictions,
 ) -> Shape:
     """Whether a factor is free of ``variable`` and contains another."""
-    parts = coefficients(polynomial, layout.names, variable).values()
+    parts = coefficients(polynomial, variable).values()
     part = probe.restrictions(min(parts, key=len))
     if part is None:
         return _UNKNOWN

@@ -16,6 +16,7 @@ from flint import nmod_poly
 from screwkit.algebra.common_root import common_root, interpolated
 from screwkit.algebra.linear_systems import has_solutions, linear_systems, solved_at
 from screwkit.algebra.points import Point, random_angle, residue
+from screwkit.algebra.restrictions import coefficients
 from screwkit.algebra.substitution import Substitution
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
@@ -267,7 +268,7 @@ def _along_tangent(condition: Polynomial, sine: int, cosine: int) -> _Along:
             return nmod_poly([at_cosine, along, 2 * at_zero - at_cosine], prime)
 
         return linear
-    parts = _parts(condition, (sine, cosine))
+    parts = coefficients(condition, (sine, cosine))
     degree = max(s + c for s, c in parts)
 
     def at(point: Point, prime: int) -> Any:
@@ -318,7 +319,9 @@ def _along_symbol(polynomial: Polynomial, index: int) -> _Along:
             return nmod_poly(interpolated(places, values, prime), prime)
 
         return told
-    parts = {power: part for (power,), part in _parts(polynomial, (index,)).items()}
+    parts = {
+        power: part for (power,), part in coefficients(polynomial, (index,)).items()
+    }
 
     def at(point: Point, prime: int) -> Any:
         values = {power: residue(part, point, prime) for power, part in parts.items()}
@@ -326,19 +329,6 @@ def _along_symbol(polynomial: Polynomial, index: int) -> _Along:
         return nmod_poly(dense, prime)
 
     return at
-
-
-def _parts(
-    polynomial: Polynomial, places: Sequence[int]
-) -> dict[tuple[int, ...], Polynomial]:
-    """The coefficients of a polynomial by its exponents in some generators."""
-    parts: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
-    for exponents, coefficient in polynomial.to_dict().items():
-        rest = tuple(0 if i in places else e for i, e in enumerate(exponents))
-        key = tuple(int(exponents[place]) for place in places)
-        parts.setdefault(key, {})[rest] = coefficient
-    context = polynomial.context()
-    return {key: context.from_dict(terms) for key, terms in parts.items()}
 
 
 def angles_in_numbers(
@@ -384,4 +374,4 @@ def coefficients_in(
     places = [number]
     if kind == "angle":
         places = [ring.sine_index(number), ring.cosine_index(number)]
-    return [*_parts(polynomial, places).values()]
+    return [*coefficients(polynomial, places).values()]

@@ -20,6 +20,7 @@ from screwkit.algebra.modular import LARGEST, random_prime
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 SHORT = 30  # terms that are handled one by one
+_BY_TERMS = 2_000  # terms by which a polynomial is taken apart one by one
 Variable = tuple[int, ...]  # (sine, cosine) of an angle or (symbol,): generator indices
 Restrictions: TypeAlias = dict[Variable, Any]  # univariate ones, flint.nmod_poly
 
@@ -265,18 +266,28 @@ class Probe:
 
 
 def coefficients(
-    polynomial: Polynomial, names: Sequence[str], places: Sequence[int]
+    polynomial: Polynomial, places: Sequence[int]
 ) -> dict[tuple[int, ...], Polynomial]:
     """The coefficients of a polynomial with respect to powers of some generators.
 
     Args:
         polynomial: Not zero.
-        names: Of all generators of its context.
         places: Positions of the generators.
     """
+    context = polynomial.context()
+    if len(polynomial) <= _BY_TERMS:
+        found: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
+        for exponents, coefficient in polynomial.to_dict().items():
+            rest = list(exponents)
+            for place in places:
+                rest[place] = 0
+            key = tuple(int(exponents[place]) for place in places)
+            found.setdefault(key, {})[tuple(rest)] = coefficient
+        return {key: context.from_dict(terms) for key, terms in found.items()}
+    names = context.names()
     parts: dict[tuple[int, ...], Polynomial] = {(): polynomial}
     for place in places:
-        generator = polynomial.context().gen(place)
+        generator = context.gen(place)
         slices = {}
         for key, part in parts.items():
             rest, power = part, 0

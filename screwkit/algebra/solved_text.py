@@ -13,6 +13,7 @@ from screwkit.algebra.constant_multiples import inverse as inverse_number
 from screwkit.algebra.constant_multiples import is_number
 from screwkit.algebra.known_angles import turns_of_cosine, turns_of_tangent
 from screwkit.algebra.polynomial_text import angle_text, merged_text
+from screwkit.algebra.restrictions import coefficients
 from screwkit.algebra.trigonometric import (
     Polynomial,
     TrigonometricRing,
@@ -214,27 +215,13 @@ def _joined(terms: list[str]) -> str:
     return text
 
 
-def power_slices(
-    ring: TrigonometricRing, polynomial: Polynomial, places: tuple[int, ...]
-) -> dict[tuple[int, ...], Polynomial]:
-    """The coefficients with respect to powers of some generators."""
-    parts: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
-    for exponents, coefficient in polynomial.to_dict().items():
-        rest = list(exponents)
-        for place in places:
-            rest[place] = 0
-        key = tuple(int(exponents[place]) for place in places)
-        parts.setdefault(key, {})[tuple(rest)] = coefficient
-    return {key: ring.context.from_dict(terms) for key, terms in parts.items()}
-
-
 def short_slices(
     ring: TrigonometricRing,
     polynomial: Polynomial,
     places: tuple[int, ...],
     longest: int,
 ) -> dict[tuple[int, ...], Polynomial] | None:
-    """`power_slices`; None where no solution has so few characters.
+    """The coefficients by powers; None where no solution has so few characters.
 
     All coefficients but one are written out, and a term takes four characters at least.
     """
@@ -243,7 +230,7 @@ def short_slices(
     count = prod(polynomial.degrees()[place] + 1 for place in places)
     if 4 * (min(free, len(polynomial) - free) - count) > longest:
         return None
-    slices = power_slices(ring, polynomial, places)
+    slices = coefficients(polynomial, places)
     sizes = sorted(map(len, slices.values()))
     return None if 4 * (sum(sizes[:-1]) - len(sizes)) > longest else slices
 

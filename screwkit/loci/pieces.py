@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
@@ -27,9 +27,14 @@ class Piece:
     branches: tuple[Branch, ...]
 
     @cached_property
+    def by_text(self) -> Mapping[str, Polynomial]:
+        """The equations."""
+        return {str(equation): equation for equation in self.equations}
+
+    @cached_property
     def texts(self) -> frozenset[str]:
         """Of the equations."""
-        return frozenset(map(str, self.equations))
+        return frozenset(self.by_text)
 
     @property
     def codimension(self) -> int:
@@ -207,7 +212,15 @@ def lies_in(branch: Branch, piece: Piece) -> bool:
     if piece.texts <= branch.texts:
         return True
     points = branch.points
-    return bool(points) and all(piece.contains(*point) for point in points)
+    if not points:
+        return False
+    told, _ = branch.told  # pieces share equations
+    for text, equation in piece.by_text.items():
+        if text not in told:
+            told[text] = not any(residue(equation, *point) for point in points)
+        if not told[text]:
+            return False
+    return True
 
 
 def has_equations_of(branch: Branch, piece: Piece) -> bool:
@@ -215,7 +228,13 @@ def has_equations_of(branch: Branch, piece: Piece) -> bool:
 
     Then all of it lies there, whatever its pending conditions are.
     """
-    return all(str(e) in branch.texts or branch.value(e) == 0 for e in piece.equations)
+    _, told = branch.told
+    for text, equation in piece.by_text.items():
+        if text not in told:
+            told[text] = text in branch.texts or branch.value(equation) == 0
+        if not told[text]:
+            return False
+    return True
 
 
 def surely_in(branch: Branch, piece: Piece) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import islice
 
 from screwkit.algebra.branches import Branch, restricted
-from screwkit.algebra.cases import possible_factors
+from screwkit.algebra.cases import MOST_TERMS, possible_factors
 from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.division import Divisor
@@ -20,9 +20,6 @@ from screwkit.loci.pieces import Piece, lies_in
 
 LARGEST = 1_500
 """Terms of a polynomial that is factored for this."""
-
-LONGEST = 4_000_000
-"""Terms of a polynomial that is divided by the piece's own equation."""
 
 _SQUARED = 40  # terms of polynomials whose squares are added up
 _FACTORED = 8  # polynomials that are looked at one by one
@@ -46,7 +43,7 @@ def zeros_beside(
     """
     once = {str(v): v for v in map(primitive, filter(bool, scalars))}
     values = sorted(once.values(), key=len)
-    if not values or len(values[0]) > LONGEST:
+    if not values or len(values[0]) > MOST_TERMS:
         return None
     if len(piece.equations) == 1 and len(values) == 1 and len(values[0]) > LARGEST:
         return _beside_divided(values[0], piece.equations[0], root, library)

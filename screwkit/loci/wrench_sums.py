@@ -23,6 +23,7 @@ from math import prod
 from typing import TypeAlias
 
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.cases import MOST_TERMS
 from screwkit.algebra.minors import combined, held, joined
 from screwkit.algebra.modular import annihilator, independent, rank
 from screwkit.algebra.points import Point, residue
@@ -55,8 +56,8 @@ TRIED = 24
 COSTLIEST = 10**13
 """Products of terms in the expansion of one minor."""
 
-LARGE, MOST_TERMS = 10**9, 4_000_000
-"""Products beyond which terms are predicted, and how many of them are expanded."""
+LARGE = 10**9
+"""Products beyond which terms are predicted; no more are expanded than may be."""
 
 PRODUCTS = 30_000_000
 """Of terms, in one join of two extensors."""
