@@ -52,16 +52,20 @@ def common_measures(angles: Iterable[Fraction]) -> Measures:
     relations = _short_relations(given) if len(given) > 1 else []
     table = _kernel(relations, len(given)) if relations else []
     values, made = _measured(given, table)
-    if not all(values):
-        table, values, made = [], (), []
-    if not table:
+    if not table or not all(values):
         alone: dict[Fraction, Combination] = {a: ((a, 1),) for a in given}
         return Measures(given, alone, alone)
-    return Measures(
-        values,
-        {a: _combination(values, row) for a, row in zip(given, table, strict=True)},
-        {v: _combination(given, row) for v, row in zip(values, made, strict=True)},
-    )
+    signs = [1 if value > 0 else -1 for value in values]
+    sizes = [abs(value) for value in values]
+    of = {
+        angle: _combination(sizes, [s * n for s, n in zip(signs, row, strict=True)])
+        for angle, row in zip(given, table, strict=True)
+    }
+    made_of = {
+        size: _combination(given, [s * n for n in row])
+        for size, s, row in zip(sizes, signs, made, strict=True)
+    }
+    return Measures(tuple(sizes), of, made_of)
 
 
 def _combination(angles: Iterable[Fraction], counts: Iterable[int]) -> Combination:
@@ -91,7 +95,7 @@ def _kernel(rows: list[list[int]], size: int) -> list[list[int]]:
 def _measured(
     angles: tuple[Fraction, ...], table: list[list[int]]
 ) -> tuple[tuple[Fraction, ...], list[list[int]]]:
-    """Values of the measures by which ``table`` gives the angles, made positive.
+    """Values of the measures by which ``table`` gives the angles, and their making.
 
     The rows of the table generate all integer vectors; those combinations of them that
     are unit vectors make the measures of the angles.
@@ -111,12 +115,6 @@ def _measured(
         sum((n * a for n, a in zip(row, angles, strict=True)), Fraction(0))
         for row in made
     ]
-    for number, value in enumerate(values):
-        if value < 0:
-            values[number] = -value
-            made[number] = [-n for n in made[number]]
-            for row in table:
-                row[number] = -row[number]
     return tuple(values), made
 
 

@@ -36,8 +36,7 @@ def short_loops(mechanism: Mechanism) -> tuple[tuple[Step, ...], ...]:
         if one == other:
             loops.append(((joint.name, 1), *_shortest(neighbours, start, end)))
         leader[one] = other
-        neighbours[joint.parent].append((joint.child, (joint.name, 1)))
-        neighbours[joint.child].append((joint.parent, (joint.name, -1)))
+        _connect(neighbours, joint)
     return tuple(loops)
 
 
@@ -61,9 +60,13 @@ def way_to_platform(mechanism: Mechanism) -> tuple[Step, ...]:
         return ()
     neighbours: Neighbours = {link: [] for link in mechanism.links}
     for joint in mechanism.joints:
-        neighbours[joint.parent].append((joint.child, (joint.name, 1)))
-        neighbours[joint.child].append((joint.parent, (joint.name, -1)))
+        _connect(neighbours, joint)
     return _shortest(neighbours, mechanism.base, mechanism.platform)
+
+
+def _connect(neighbours: Neighbours, joint: Joint) -> None:
+    neighbours[joint.parent].append((joint.child, (joint.name, 1)))
+    neighbours[joint.child].append((joint.parent, (joint.name, -1)))
 
 
 def _swept(mechanism: Mechanism) -> Sequence[Joint]:

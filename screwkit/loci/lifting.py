@@ -48,7 +48,7 @@ def _together(group: Sequence[Piece]) -> Piece | None:
     generators = set(signs[0])
     if not generators or any(set(s) != generators for s in signs):
         return None
-    sizes = [_sizes(ring, branch) for branch in branches]
+    sizes = [_sizes(*own) for own in zip(branches, signs, strict=True)]
     if any(size != sizes[0] for size in sizes):
         return None
     present = {tuple(sorted(s.items())) for s in signs}
@@ -83,9 +83,8 @@ def _signs(ring: TrigonometricRing, branch: Branch) -> _Signs:
     return found
 
 
-def _sizes(ring: TrigonometricRing, branch: Branch) -> dict[int, Polynomial]:
+def _sizes(branch: Branch, signs: _Signs) -> dict[int, Polynomial]:
     """The number of which a generator is plus or minus one on each sheet."""
-    signs = _signs(ring, branch)
     return {
         index: image * signs[index]
         for step in branch.steps
