@@ -46,6 +46,7 @@ from screwkit.loci.wrench_sums import height_of
 
 _LONGEST = 60_000  # terms of a polynomial that is factored
 _APART = 300  # case distinctions where the whole determinant is too long
+_BLOCKS = 40  # on wrenches in blocks
 _IDLE = 300  # case distinctions on all idle pieces
 
 
@@ -199,9 +200,17 @@ def _by_limbs(
     whose twists keep their ranks do.  Where that leaves something open too, the pieces
     that the whole left open stay, unless they are everything.
     """
-    kept = dependent_zeros(root, limbs, search, within=True, in_blocks=True)
+
+    def afresh(budget: int) -> Search:
+        return replace(search, budget=budget, found=[], unfinished=[], special=[])
+
+    kept = dependent_zeros(root, limbs, search, within=True)
+    if kept.open:  # blocks of wrenches are short, where they tell anything
+        own = afresh(_BLOCKS)
+        blocks = dependent_zeros(root, limbs, own, within=True, in_blocks=True)
+        kept = kept if blocks.open else blocks
     if not kept.open:  # one long determinant may have used up what there was
-        search = replace(search, budget=_APART, found=[], unfinished=[], special=[])
+        search = afresh(_APART)
     drops = [rank_drop(root, limb, search).decomposition for limb in limbs if limb]
     branches = [*whole.branches, *kept.branches]
     left = [*kept.open]
