@@ -50,7 +50,7 @@ from screwkit.loci.loop_drop import (
 )
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.mechanism_figures import axes_of, figures_of, figures_on
-from screwkit.loci.pieces import Piece, alike, pieces_of, told_apart, without_contained
+from screwkit.loci.pieces import Piece, pieces_of, told_apart, without_contained
 from screwkit.loci.rank_drop import RankDrop, generic_rank
 from screwkit.loci.searching_again import searched_again
 from screwkit.loci.strata import in_ring
@@ -252,15 +252,12 @@ def constraint_singularities(
         for stratum in limb.strata
         if len(stratum.equations) == 1
     ]
-
-    def together(pieces: Sequence[Piece]) -> list[Piece]:
-        kind = partial(loop_state, limbs=limbs)
-        return with_sheets_together(alike(pieces, kind), kind)
+    kind = partial(loop_state, limbs=limbs)
 
     def exactly(pieces: Sequence[Piece]) -> ExactPieces:
         own = [
             in_known_conditions(piece, root, known, Search(library))
-            for piece in together(pieces)
+            for piece in with_sheets_together(pieces, kind)
         ]
         exact = _exact(root, told_apart(own, known), limbs, library)
         return replace(exact, narrowed=narrower(exact.pieces, own))
@@ -284,7 +281,7 @@ def constraint_singularities(
         )
 
     def early(pieces: Sequence[Piece], generic: LoopState) -> None:
-        own = together(without_contained(pieces))
+        own = with_sheets_together(without_contained(pieces), kind)
         components = described(own, None)
         so_far(
             ConstraintSingularities(generic.loop, False, components, reason=_UNFINISHED)

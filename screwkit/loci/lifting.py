@@ -15,7 +15,7 @@ from typing import Any
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.constant_multiples import inverse, is_number, sign
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
-from screwkit.loci.pieces import Piece
+from screwkit.loci.pieces import Piece, alike
 
 _FACTORS = 3  # signs that may multiply one term
 _Signs = dict[int, int]  # generator whose value is ±v on the sheet, and the sign
@@ -27,11 +27,11 @@ def with_sheets_together(
     """The same locus with fewer pieces, where signs are all that tells them apart.
 
     Args:
-        pieces: None with sheets of two kinds (`pieces.alike`).
+        pieces: Some of which may have sheets of two kinds; these are told apart.
         kind: Of a sheet; what is told of a piece goes by it.
     """
     shapes: dict[str, list[Piece]] = {}
-    for piece in pieces:
+    for piece in alike(pieces, kind):
         shapes.setdefault(_shape(piece), []).append(piece)
     found: list[Piece] = []
     for group in (group for beside in shapes.values() for group in _by(kind, beside)):

@@ -19,7 +19,7 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.loci.lifting import with_sheets_together
 from screwkit.loci.loop_drop import imposed
-from screwkit.loci.pieces import Piece, alike, is_part, pieces_of, sheets_of
+from screwkit.loci.pieces import Piece, is_part, pieces_of, sheets_of
 
 BRANCHES = 64
 """Sheets of one component that are followed."""
@@ -141,7 +141,7 @@ class Meetings:
                 parts += [b for b in beside or () if b.points and not b.is_special]
             self.open += undecided
             found += [b for b in parts if b.codimension <= self.deepest]
-        pieces = with_sheets_together(alike(pieces_of(found), self._kind), self._kind)
+        pieces = with_sheets_together(pieces_of(found), self._kind)
         met = (p for p in pieces if is_inside(p, other) and is_inside(p, one))
         return [p for p in met if not all(map(_is_complex, p.branches))]
 
