@@ -39,8 +39,9 @@ def sliced_singularities(
     if not slices:
         raise ScrewkitError("what is drawn is a slice: --slice NAME=FROM:TO twice")
     if output.suffix not in FORMS:
+        named = f"{output}: " if output.name else ""
         raise ScrewkitError(
-            f"{output}: a slice is drawn as {', '.join(FORMS)}; give -o FILE"
+            f"{named}a slice is drawn as {', '.join(FORMS)}; give -o FILE"
         )
     slicing = slicing_of(case.mechanism, slices)
     mechanism = with_values(case.mechanism, slicing.fixed)

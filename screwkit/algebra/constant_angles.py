@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
 from itertools import product
@@ -62,11 +63,13 @@ def _by_rationals(
     over = ring.rational(1 / lead)
     # x = (−u·v ± √(1 + u² − v²))/(1 + u²)
     root = root_of_rational(ring, lead - v * v)
-    if root is not None and root != 0:
+    if root is not None:
         line = ring.rational(u), ring.rational(v)
         middle = ring.rational(u * v)
-        roots = (ring.normal((s * root - middle) * over) for s in (1, -1))
-        return [_sheet(ring, angle, x, line, in_sine=not a) for x in roots]
+        roots = [ring.normal((s * root - middle) * over) for s in (1, -1)]
+        sheets = [_sheet(ring, angle, x, line, in_sine=not a) for x in roots]
+        # cos φ = 1 is a double condition, and one angle.
+        return sheets if root != 0 else [replace(sheets[0], sheet=None)]
     return [
         _step(ring, angle, (ring.rational(u), ring.rational(v)), over, in_sine=not a)
     ]

@@ -310,7 +310,8 @@ def _children(
         parts = None
         if not branch.pending:
             parts = split_half_angle(branch, condition, companions)
-        if parts is None:
+        # Of a divisor that is among what is asked the rest is all there is.
+        if parts is None or _is_asked(branch, parts.left[0], left):
             return whole
         _descend(branch, [*parts.left, *left], list(nonzero), search)
         return [] if parts.solved is None else [parts.solved]
@@ -330,6 +331,14 @@ def _children(
             _descend(branch, [*parts.left, *left], list(nonzero), search)
             return [] if solved is None else [solved]
     return restricted(branch, condition)
+
+
+def _is_asked(
+    branch: Branch, polynomial: Polynomial, left: Sequence[Polynomial]
+) -> bool:
+    """Whether a polynomial is among others, up to a constant."""
+    key = condition_key(branch.ring, polynomial)
+    return any(condition_key(branch.ring, p) == key for p in left)
 
 
 def _as_large(

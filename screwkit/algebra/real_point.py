@@ -20,6 +20,7 @@ from typing import Any
 from flint import arb, arb_mat, ctx, fmpz_poly
 
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.substitution import Substitution
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 STARTS = 12
@@ -96,8 +97,16 @@ class _System:
         ring = branch.ring
         self._ring = ring
         gens = ring.context.gens()
-        equations = list(branch.conditions)
+        solved = _solved_angles(branch)
+        said = {str(step.condition) for step in solved.values()}
+        equations = [c for c in branch.conditions if str(c) not in said]
         for k in range(len(ring.basis)):
+            if k in solved:
+                step = solved[k]
+                equations += [
+                    step.divisor * gens[i] - image for i, image in step.images
+                ]
+                continue
             sine, cosine = gens[ring.sine_index(k)], gens[ring.cosine_index(k)]
             equations.append(sine**2 + cosine**2 - 1)
         self._roots: list[int] = []
@@ -217,6 +226,24 @@ class _System:
         ]
         residuals = [[_value(e, at)] for e in self._equations]
         return [*arb_mat(rows).solve(arb_mat(residuals)).entries()]
+
+
+def _solved_angles(branch: Branch) -> dict[int, Substitution]:
+    """The steps that give an angle outright, sine and cosine.
+
+    What they solve may be a double condition, as cos φ = 1 is, on which no Newton step
+    contracts.
+    """
+    ring = branch.ring
+    found: dict[int, Substitution] = {}
+    for step in branch.steps:
+        if step.relation is not None or step.condition is None:
+            continue
+        indices = {index for index, _ in step.images}
+        for k in range(len(ring.basis)):
+            if indices == {ring.sine_index(k), ring.cosine_index(k)}:
+                found[k] = step
+    return found
 
 
 def _monomials(polynomial: Polynomial) -> _Monomials:

@@ -252,11 +252,12 @@ def constraint_singularities(
         for stratum in limb.strata
         if len(stratum.equations) == 1
     ]
+    kind = partial(loop_state, limbs=limbs)
 
     def exactly(pieces: Sequence[Piece]) -> ExactPieces:
         own = [
             in_known_conditions(piece, root, known, Search(library))
-            for piece in with_sheets_together(pieces)
+            for piece in with_sheets_together(pieces, kind)
         ]
         exact = _exact(root, told_apart(own, known), limbs, library)
         return replace(exact, narrowed=narrower(exact.pieces, own))
@@ -280,7 +281,7 @@ def constraint_singularities(
         )
 
     def early(pieces: Sequence[Piece], generic: LoopState) -> None:
-        own = with_sheets_together(without_contained(pieces))
+        own = with_sheets_together(without_contained(pieces), kind)
         components = described(own, None)
         so_far(
             ConstraintSingularities(generic.loop, False, components, reason=_UNFINISHED)

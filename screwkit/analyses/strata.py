@@ -125,7 +125,7 @@ class _Stratification:
 
     def up_to(self, together: int) -> Strata:
         self._progress("strata", f"{len(self._places)} conditions")
-        meetings = Meetings(self._search, self._places, DEEPEST, TRIED)
+        meetings = Meetings(self._search, self._places, DEEPEST, TRIED, self._states.on)
         found = meetings.up_to(together)
         states = [self._state(meeting.piece) for meeting in found]
         strata = [

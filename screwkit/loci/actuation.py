@@ -34,6 +34,7 @@ from screwkit.loci.mechanism_figures import figures_of
 from screwkit.loci.passive import PassiveSystem
 from screwkit.loci.pieces import (
     Piece,
+    alike,
     lies_in,
     pieces_of,
     surely_in,
@@ -121,7 +122,9 @@ class _Scheme:
         if zeros.open:
             apart = replace(whole, budget=_APART, found=[], unfinished=[], special=[])
             zeros = _by_limbs(root, limbs, zeros, apart)
-        pieces = without_contained([*given, *pieces_of(zeros.branches)])
+        kind = partial(loop_state, limbs=limbs)
+        whole_pieces = without_contained([*given, *pieces_of(zeros.branches)])
+        pieces = alike(whole_pieces, kind)
         complete = all(_is_decided(branch, pieces) for branch in zeros.open)
         undecided = "the zeros of the determinant were not all decided"
         reasons = dict.fromkeys(() if complete else (zeros.reason or undecided,))
@@ -141,7 +144,7 @@ class _Scheme:
         while waiting:
             idle = waiting.pop()
             inside, left = _inside(idle, limbs, search)
-            for inner in inside:
+            for inner in alike(inside, kind):
                 freedom = self.state(inner).platform_freedom
                 key = frozenset(map(str, inner.equations))
                 if freedom and not _known(inner.branches[0], moving):

@@ -8,29 +8,49 @@ cos q1 + sin q1 = 0 the cosine is ±√2/2, and √2·cos q1 takes the place of 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import combinations
 from typing import Any
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.constant_multiples import inverse, is_number, sign
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
-from screwkit.loci.pieces import Piece
+from screwkit.loci.pieces import Piece, alike
 
 _FACTORS = 3  # signs that may multiply one term
 _Signs = dict[int, int]  # generator whose value is ±v on the sheet, and the sign
 
 
-def with_sheets_together(pieces: Sequence[Piece]) -> list[Piece]:
-    """The same locus with fewer pieces, where signs are all that tells them apart."""
-    groups: dict[str, list[Piece]] = {}
-    for piece in pieces:
-        groups.setdefault(_shape(piece), []).append(piece)
+def with_sheets_together(
+    pieces: Sequence[Piece], kind: Callable[[Branch], object]
+) -> list[Piece]:
+    """The same locus with fewer pieces, where signs are all that tells them apart.
+
+    Args:
+        pieces: Some of which may have sheets of two kinds; these are told apart.
+        kind: Of a sheet; what is told of a piece goes by it.
+    """
+    shapes: dict[str, list[Piece]] = {}
+    for piece in alike(pieces, kind):
+        shapes.setdefault(_shape(piece), []).append(piece)
     found: list[Piece] = []
-    for group in groups.values():
+    for group in (group for beside in shapes.values() for group in _by(kind, beside)):
         merged = _together(group) if len(group) > 1 else None
         found.extend([merged] if merged is not None else group)
     return sorted(found, key=lambda piece: piece.codimension)
+
+
+def _by(kind: Callable[[Branch], object], pieces: Sequence[Piece]) -> list[list[Piece]]:
+    """Pieces of one kind together."""
+    groups: list[tuple[object, list[Piece]]] = []
+    for piece in pieces:
+        own = kind(piece.branches[0]) if len(pieces) > 1 else None
+        group = next((g for k, g in groups if k == own), None)
+        if group is None:
+            groups.append((own, [piece]))
+        else:
+            group.append(piece)
+    return [group for _, group in groups]
 
 
 def _shape(piece: Piece) -> str:
@@ -42,6 +62,7 @@ def _shape(piece: Piece) -> str:
 def _together(group: Sequence[Piece]) -> Piece | None:
     ring = group[0].branches[0].ring
     branches = [branch for piece in group for branch in piece.branches]
+    own = [_equations(ring, piece, b) for piece in group for b in piece.branches]
     if any(step.companions for branch in branches for step in branch.steps):
         return None
     signs = [_signs(ring, branch) for branch in branches]
@@ -54,7 +75,7 @@ def _together(group: Sequence[Piece]) -> Piece | None:
     present = {tuple(sorted(s.items())) for s in signs}
     if len(present) != 2 ** len(generators) or len(present) != len(branches):
         return None
-    aligned = _aligned(branches)
+    aligned = _aligned(own)
     if aligned is None:
         return None
     equations = []
@@ -93,11 +114,26 @@ def _sizes(branch: Branch, signs: _Signs) -> dict[int, Polynomial]:
     }
 
 
-def _aligned(branches: Sequence[Branch]) -> list[list[Polynomial]] | None:
-    """The conditions of all branches, position by position of the first one."""
+def _equations(
+    ring: TrigonometricRing, piece: Piece, branch: Branch
+) -> tuple[Polynomial, ...]:
+    """Of a sheet, with the conditions of those angles that signs tell apart."""
+    numbers = _signs(ring, branch)
+    apart = {
+        str(step.sheet)
+        for step in branch.steps
+        if step.sheet is not None and not any(i in numbers for i, _ in step.images)
+    }
+    return branch.equations(apart & piece.texts)
+
+
+def _aligned(
+    equations: Sequence[Sequence[Polynomial]],
+) -> list[list[Polynomial]] | None:
+    """The equations of all sheets, position by position of the first one."""
     columns: list[list[Polynomial]] = []
-    left = [list(branch.conditions) for branch in branches]
-    for condition in branches[0].conditions:
+    left = [list(own) for own in equations]
+    for condition in equations[0]:
         support = sorted(condition.monoms())
         versions = []
         for conditions in left:

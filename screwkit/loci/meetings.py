@@ -9,7 +9,7 @@ References: [CoxLittleOShea] §4.6 (decomposition into irreducibles).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from screwkit.algebra.branches import Branch
@@ -19,7 +19,7 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.loci.lifting import with_sheets_together
 from screwkit.loci.loop_drop import imposed
-from screwkit.loci.pieces import Piece, pieces_of
+from screwkit.loci.pieces import Piece, is_part, pieces_of, sheets_of
 
 BRANCHES = 64
 """Sheets of one component that are followed."""
@@ -50,6 +50,8 @@ class Meetings:
         places: Components, no two the same set.
         deepest: Sets of a higher codimension are left out.
         budget: Intersections of two sets that may still be tried.
+        state: What holds on a sheet in general; sets are told apart by it, and by the
+            places that they lie on.
         open: How many of them were not decided.
         untried: How many were not tried within the budget.
     """
@@ -58,6 +60,7 @@ class Meetings:
     places: Sequence[Piece]
     deepest: int
     budget: int
+    state: Callable[[Branch], object]
     open: int = 0
     untried: int = 0
     found: list[Meeting] = field(default_factory=list)
@@ -93,10 +96,26 @@ class Meetings:
         """Those that were not met before, taken note of."""
         fresh = []
         for piece in pieces:
-            if not any(same_set(piece, known.piece) for known in self.found):
-                fresh.append(Meeting(piece, self._on(piece)))
+            places = self._on(piece)
+            new = [b for b in piece.branches if not self._is_met(b, piece, places)]
+            for part in sheets_of(piece, new) if new else ():
+                fresh.append(Meeting(part, places))
                 self.found.append(fresh[-1])
         return fresh
+
+    def _is_met(self, branch: Branch, piece: Piece, places: frozenset[int]) -> bool:
+        return any(
+            known.piece.codimension == piece.codimension
+            and known.places == places
+            and is_part(branch, piece, known.piece)
+            for known in self.found
+        )
+
+    def _kind(self, branch: Branch) -> object:
+        """What a sheet is told apart from others by."""
+        if not branch.points:
+            return None
+        return self.state(branch), self._on(Piece((), (branch,)))
 
     def _on(self, piece: Piece) -> frozenset[int]:
         return frozenset(
@@ -122,7 +141,7 @@ class Meetings:
                 parts += [b for b in beside or () if b.points and not b.is_special]
             self.open += undecided
             found += [b for b in parts if b.codimension <= self.deepest]
-        pieces = with_sheets_together(pieces_of(found))
+        pieces = with_sheets_together(pieces_of(found), self._kind)
         met = (p for p in pieces if is_inside(p, other) and is_inside(p, one))
         return [p for p in met if not all(map(_is_complex, p.branches))]
 
@@ -168,5 +187,10 @@ def recovered(
         ]
         if not branches or len(branches) > BRANCHES:
             return None
-    own = [b for b in branches if b.codimension == codimension and b.points]
+    # The equations may leave out what no posture meets, as that axes are not zero.
+    own = [
+        b
+        for b in branches
+        if b.codimension == codimension and b.points and all(b.divisors)
+    ]
     return Piece(tuple(equations), tuple(own)) if own else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
@@ -141,7 +141,12 @@ def without_contained(pieces: Sequence[Piece], *, surely: bool = False) -> list[
 
 def _outside(piece: Piece, others: Sequence[Piece]) -> list[Piece]:
     """What is left of a piece without the sheets that lie in others."""
-    left = [b for b in piece.branches if not any(_is_part(b, piece, o) for o in others)]
+    left = [b for b in piece.branches if not any(is_part(b, piece, o) for o in others)]
+    return sheets_of(piece, left)
+
+
+def sheets_of(piece: Piece, left: Sequence[Branch]) -> list[Piece]:
+    """Some sheets of a piece, as pieces with equations that leave out the others."""
     if len(left) == len(piece.branches):
         return [piece]
     as_given = piece.texts == set().union(
@@ -160,7 +165,7 @@ def _outside(piece: Piece, others: Sequence[Piece]) -> list[Piece]:
     ]
 
 
-def _is_part(branch: Branch, piece: Piece, other: Piece) -> bool:
+def is_part(branch: Branch, piece: Piece, other: Piece) -> bool:
     """Whether a sheet of a piece lies in another piece that is no smaller.
 
     Equations of a piece may hold on further sets of its size, unless they are exact; of
@@ -172,6 +177,30 @@ def _is_part(branch: Branch, piece: Piece, other: Piece) -> bool:
     if piece.codimension > other.codimension or other.is_exact:
         return True
     return any(lies_in(sheet, piece) for sheet in other.branches)
+
+
+def alike(pieces: Iterable[Piece], kind: Callable[[Branch], object]) -> list[Piece]:
+    """The pieces, none with sheets of two kinds.
+
+    θ = 0 and θ = π may be sheets of one condition and nothing else be the same on them.
+
+    Args:
+        pieces: Of one or several sheets each.
+        kind: Of a sheet; None where it is not known, so that no sheet is told by it.
+    """
+    found: list[Piece] = []
+    for piece in pieces:
+        kinds: list[tuple[object, list[Branch]]] = []
+        for branch in piece.branches:
+            own = kind(branch) if len(piece.branches) > 1 else None
+            same = (g for k, g in kinds if own is None or k is None or k == own)
+            group = next(same, None)
+            if group is None:
+                kinds.append((own, [branch]))
+            else:
+                group.append(branch)
+        found += [part for _, sheets in kinds for part in sheets_of(piece, sheets)]
+    return found
 
 
 def told_apart(pieces: Sequence[Piece], known: Sequence[Polynomial]) -> list[Piece]:

@@ -171,8 +171,8 @@ def read_variables(
             if name in taken:
                 reading.fault(
                     path,
-                    f"the joint {declared} the variable {name!r}, which is also a "
-                    f"parameter; give it another `variable`",
+                    f"the joint {declared} the variable {name!r}, which stands "
+                    f"among `parameters` or `variables`; give it another `variable`",
                 )
             elif owners.get(name) == entry.name and not entry.variable:
                 pass  # two joints of one name: that is the fault, reported as such

@@ -440,3 +440,17 @@ def test_a_condition_that_later_ones_imply_takes_no_dimension() -> None:
         point, prime = branch.points[0]
         rows = [differential(ring, c, point, prime) for c in (z, sine)]
         assert rank(rows, prime) == 2
+
+
+def test_a_half_angle_is_not_solved_again_where_its_divisor_is_asked() -> None:
+    """It was, until the search was out of breath: 103 pieces were left open."""
+    _, found = zeros(
+        "sin(p)*(sin(r)*cos(r) + 2*sin(r) + cos(r)^2 - cos(r)) + cos(p)*(2*sin(r)"
+        " - sin(r)*cos(r) - cos(r)^2 - cos(r)) + sin(r)*cos(r) - 2*sin(r)"
+        " + cos(r)^2 + cos(r)",
+        "sin(p)*(sin(r)*cos(r) - 2*sin(r) + cos(r)^2 + cos(r)) + cos(p)*(2*sin(r)"
+        " + sin(r)*cos(r) + cos(r)^2 - cos(r)) + sin(r)*cos(r) + 2*sin(r)"
+        " + cos(r)^2 - cos(r)",
+    )
+    assert found.complete
+    assert found.branches
