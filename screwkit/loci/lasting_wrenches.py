@@ -49,7 +49,7 @@ def all_are_held(
         moving: Pieces on which the platform moves in general.
         idle: Pieces on which only limbs move, in general.
         search: Known factors.
-        all_known: Whether these are all pieces of codimension 1 on which more moves.
+        all_known: Whether whatever moves more than in general lies on these pieces.
     """
     if not all(limbs):
         return True  # the platform is locked to the base by a limb
@@ -59,9 +59,9 @@ def all_are_held(
     systems = [_wrenches(root, limb, height, search) for limb in limbs]
     wrenches = [wrench for own in systems for wrench in own.wrenches]
     if all_known and sum(own.dimension for own in systems) == height:
-        # Where those of each limb are independent, one determinant tells all; it
-        # vanishes on pieces of codimension 1 and nowhere else.
-        return all(_span_all(wrenches, p) for p in idle if p.codimension == 1) and all(
+        # Where those of each limb are independent, one determinant tells all; its zeros
+        # are of codimension 1, but for real ones of sums of squares.
+        return all(_span_all(wrenches, piece) for piece in idle) and all(
             _lie_in(root, own.minors(root), moving, search) for own in systems
         )
     lists = block_minors(root, limbs, height, search)
@@ -120,6 +120,7 @@ def _lie_in(
         special=[],
         budget=_BUDGET,
         skip=lambda branch: any(lies_in(branch, piece) for piece in known),
+        inside=lambda branch: (p.equations for p in known if lies_in(branch, p)),
     )
     zeros = common_zeros(root, minors, own)
     return not zeros.branches and all(
