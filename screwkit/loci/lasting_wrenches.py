@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from math import comb
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros
@@ -25,10 +26,11 @@ from screwkit.loci.pieces import Piece, lies_in, surely_in
 from screwkit.loci.rank_drop import extensors
 from screwkit.loci.wrench_blocks import block_minors
 from screwkit.loci.wrench_sums import height_of
-from screwkit.loci.wrench_vectors import Vector, overlap_minors, spanning_wrenches
+from screwkit.loci.wrench_vectors import ALL, Vector, overlap_minors, spanning_wrenches
 
 _DEAREST = 3_000_000  # products of terms in a minor of all wrenches
 _LONGEST = 4_000  # terms of all their minors
+_SHORT = 200  # terms of a limb's wrenches
 _BUDGET = 150  # case distinctions on one list of minors
 
 
@@ -61,9 +63,10 @@ def all_are_held(
     if all_known and sum(own.dimension for own in systems) == height:
         # Where those of each limb are independent, one determinant tells all; its zeros
         # are of codimension 1, but for real ones of sums of squares.
-        return all(_span_all(wrenches, piece) for piece in idle) and all(
-            _lie_in(root, own.minors(root), moving, search) for own in systems
-        )
+        if not all(_span_all(wrenches, piece) for piece in idle):
+            return False
+        if all(own.is_independent(root, moving, search) for own in systems):
+            return True
     lists = block_minors(root, limbs, height, search)
     if lists is None:
         at = root.points[0]
@@ -81,11 +84,22 @@ class _Lasting:
     wrenches: Sequence[Vector]
     dimension: int
 
-    def minors(self, root: Branch) -> list[Polynomial]:
-        """Zero together where they span less; a zero of one determinant is left out."""
-        if len(self.wrenches) == self.dimension:
-            return [root.ring.one]
-        return minors_of_size(root.ring, self.wrenches, self.dimension)
+    def is_independent(
+        self, root: Branch, known: Sequence[Piece], search: Search
+    ) -> bool:
+        """Whether they span less in known pieces alone, or where one determinant says.
+
+        Not shown of many or long ones.
+        """
+        count, size = len(self.wrenches), self.dimension
+        if count == size:
+            return True
+        height = len(self.wrenches[0])
+        long = sum(len(x) for wrench in self.wrenches for x in wrench) > _SHORT
+        if long or comb(count, size) * comb(height, size) > ALL:
+            return False
+        minors = minors_of_size(root.ring, self.wrenches, size)
+        return _lie_in(root, minors, known, search)
 
 
 def _wrenches(root: Branch, limb: Parts, height: int, search: Search) -> _Lasting:
@@ -120,7 +134,6 @@ def _lie_in(
         special=[],
         budget=_BUDGET,
         skip=lambda branch: any(lies_in(branch, piece) for piece in known),
-        inside=lambda branch: (p.equations for p in known if lies_in(branch, p)),
     )
     zeros = common_zeros(root, minors, own)
     return not zeros.branches and all(

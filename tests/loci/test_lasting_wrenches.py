@@ -152,3 +152,37 @@ def test_lines_that_meet_are_not_shown_to_hold() -> None:
     (piece,) = actuation_locus(assembly, case.mechanism.actuated).pieces
     assert all_are_held(root, limbs, [piece], [], search, all_known=True)
     assert not all_are_held(root, limbs, [], [piece], search, all_known=True)
+
+
+def test_arms_whose_wrenches_are_more_than_they_need_be() -> None:
+    """Three arms on a disc, each with a pencil of forces at its wrist.
+
+    Where axes 3 and 5 of an arm are one line it idles, and the disc is held there as at
+    other postures; it moves where the determinant of the forces vanishes.
+    """
+    case = load(str(nao.ROOT / "cases" / "three_arms.yaml"))
+    found = actuation_locus(case.assembly, case.mechanism.actuated)
+    assert found.complete
+    freedom = [state.platform_freedom for state in found.states]
+    assert sorted(freedom) == [0, 0, 0, 1]
+    ring = case.assembly.common_twists.ring
+    source = np.random.default_rng(4)
+    for arm in "ABC":
+        at = {f"q{k}{n}": float(source.uniform(-3, 3)) for k in "ABC" for n in range(6)}
+        at |= {"l": 0.5, "m": 0.3, f"q{arm}4": 0.0}
+        systems, idle = [], 0
+        for k in "ABC":
+            joints = [f"{k}{n}" for n in range(1, 6)]
+            columns = limb_columns(case.mechanism, joints, at)[:, 1:]
+            left, sizes, _ = np.linalg.svd(columns)
+            kept = int(np.sum(sizes > 1e-9))
+            idle += 4 - kept
+            systems.append(left[:, kept:].T)
+        sizes = np.linalg.svd(np.vstack(systems), compute_uv=False)
+        assert (idle, int(np.sum(sizes < 1e-6))) == (1, 0)
+        on = [
+            state.platform_freedom
+            for piece, state in zip(found.pieces, found.states, strict=True)
+            if all(abs(value(text(ring, e), at)) < 1e-9 for e in piece.equations)
+        ]
+        assert on == [0]
