@@ -12,7 +12,7 @@ from functools import cache
 import numpy as np
 import pytest
 from loci import nao
-from loci.numeric import value
+from loci.numeric import limb_columns, value
 from loci.test_wrench_blocks import LENGTHS, A, B, K, line, posture, turned
 
 from screwkit.algebra.polynomial_text import text
