@@ -122,46 +122,58 @@ class _Scheme:
         if zeros.open:
             apart = replace(whole, budget=_APART, found=[], unfinished=[], special=[])
             zeros = _by_limbs(root, limbs, zeros, apart)
-        kind = partial(loop_state, limbs=limbs)
         whole_pieces = without_contained([*given, *pieces_of(zeros.branches)])
-        pieces = alike(whole_pieces, kind)
+        pieces = alike(whole_pieces, partial(loop_state, limbs=limbs))
         complete = all(_is_decided(branch, pieces) for branch in zeros.open)
         undecided = "the zeros of the determinant were not all decided"
         reasons = dict.fromkeys(() if complete else (zeros.reason or undecided,))
         moving = [piece for piece in pieces if self.state(piece).platform_freedom]
-        waiting = [p for p in pieces if not self.state(p).platform_freedom]
+        idle = [p for p in pieces if not self.state(p).platform_freedom]
         plain = Search(self.library, largest=_LONGEST)
-        if waiting and all_are_held(
-            root, limbs, moving, waiting, plain, all_known=complete
-        ):
-            waiting = []
+        held = bool(idle) and all_are_held(
+            root, limbs, moving, idle, plain, all_known=complete
+        )
+        inside, is_whole = ([], True) if held else self._moving_inside(idle, moving)
+        if not is_whole:
+            reasons.setdefault("an idle piece was not searched to the end")
+        # A later piece inside an idle one may contain an earlier one.
+        found = [*without_contained([*moving, *inside]), *idle]
+        return _Found(tuple(found), "; ".join(reasons))
+
+    def _moving_inside(
+        self, idle: Sequence[Piece], moving: Sequence[Piece]
+    ) -> tuple[list[Piece], bool]:
+        """More pieces on which the platform moves, inside those on which limbs idle.
+
+        Args:
+            idle: To be searched.
+            moving: Pieces that are known.
+
+        Returns:
+            Those in none of the known ones, and whether they are all.
+        """
+        known, waiting, is_whole = [*moving], [*idle], True
         search = Search(self.library, budget=_IDLE)
-        search.skip = lambda branch: any(lies_in(branch, known) for known in moving)
+        search.skip = lambda branch: _known(branch, known)
         search.inside = lambda branch: (
-            known.equations for known in moving if lies_in(branch, known)
+            own.equations for own in known if lies_in(branch, own)
         )
         seen: dict[frozenset[str], Piece] = {}
         while waiting:
-            idle = waiting.pop()
-            inside, left = _inside(idle, limbs, search)
-            for inner in alike(inside, kind):
+            here = waiting.pop()
+            inside, left = _inside(here, self.limbs, search)
+            for inner in alike(inside, partial(loop_state, limbs=self.limbs)):
                 freedom = self.state(inner).platform_freedom
-                key = frozenset(map(str, inner.equations))
-                if freedom and not _known(inner.branches[0], moving):
-                    pieces.append(inner)
-                    moving.append(inner)
-                elif not freedom and key not in seen:
-                    seen[key] = inner
+                if freedom and not _known(inner.branches[0], known):
+                    known.append(inner)
+                elif not freedom and inner.texts not in seen:
+                    seen[inner.texts] = inner
                     waiting.append(inner)
             # What lies on a piece inside is searched with that.
-            deeper = (p for p in seen.values() if p.codimension > idle.codimension)
-            searched = [*moving, *deeper]
-            if any(not _is_decided(branch, searched) for branch in left):
-                reasons.setdefault("an idle piece was not searched to the end")
-        # A later piece inside an idle one may contain an earlier one.
-        found = without_contained(moving)
-        found += [p for p in pieces if not any(p is known for known in moving)]
-        return _Found(tuple(found), "; ".join(reasons))
+            deeper = (p for p in seen.values() if p.codimension > here.codimension)
+            searched = [*known, *deeper]
+            is_whole &= all(_is_decided(branch, searched) for branch in left)
+        return known[len(moving) :], is_whole
 
     def exactly(self, pieces: Sequence[Piece]) -> ExactPieces:
         """Equations at whose zeros the platform moves, or more joints than in general.
