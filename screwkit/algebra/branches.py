@@ -96,12 +96,14 @@ class Branch:
         return frozenset(map(str, self.conditions))
 
     @cached_property
-    def told(self) -> tuple[dict[str, bool], dict[str, bool]]:
-        """By texts of polynomials of the whole ring, as far as these were asked for.
+    def zero_at_points(self) -> dict[str, bool]:
+        """Whether polynomials of the whole ring are, by text; those asked so far."""
+        return {}
 
-        Whether they vanish at the points of the branch, and by its steps alone.
-        """
-        return {}, {}
+    @cached_property
+    def zero_by_steps(self) -> dict[str, bool]:
+        """The same of those that vanish on all of the branch, as its steps show."""
+        return {}
 
     @property
     def sheets(self) -> tuple[Polynomial, ...]:

@@ -147,7 +147,12 @@ def _descend(
         search.unfinished.append(branch)
         return
     # Where a direction is excluded to be (0, 0) that was searched before.
-    free = [d for d in choice.directions if not _is_among(branch, d, nonzero)]
+    free = [
+        direction
+        for direction in choice.directions
+        # Where it is known not to be (0, 0) there is nothing.
+        if not _is_among(branch, direction.square(branch.ring), nonzero)
+    ]
     excluded = [*nonzero, *(d.square(branch.ring) for d in free)]
     for case in choice.cases:
         terms = None if search.deepest is not None else terms_of(branch, case)
@@ -204,11 +209,11 @@ def _beside_what_is_skipped(
 
 
 def _is_among(
-    branch: Branch, direction: Direction, nonzero: Sequence[Polynomial]
+    branch: Branch, polynomial: Polynomial, others: Sequence[Polynomial]
 ) -> bool:
-    """Whether it is known already that a direction is not (0, 0)."""
-    key = condition_key(branch.ring, direction.square(branch.ring))
-    return any(condition_key(branch.ring, p) == key for p in nonzero if p != 0)
+    """Whether a polynomial is among others, up to a constant."""
+    key = condition_key(branch.ring, polynomial)
+    return any(condition_key(branch.ring, p) == key for p in others if p != 0)
 
 
 def _where_free(
@@ -311,7 +316,7 @@ def _children(
         if not branch.pending:
             parts = split_half_angle(branch, condition, companions)
         # Of a divisor that is among what is asked the rest is all there is.
-        if parts is None or _is_asked(branch, parts.left[0], left):
+        if parts is None or _is_among(branch, parts.left[0], left):
             return whole
         _descend(branch, [*parts.left, *left], list(nonzero), search)
         return [] if parts.solved is None else [parts.solved]
@@ -331,14 +336,6 @@ def _children(
             _descend(branch, [*parts.left, *left], list(nonzero), search)
             return [] if solved is None else [solved]
     return restricted(branch, condition)
-
-
-def _is_asked(
-    branch: Branch, polynomial: Polynomial, left: Sequence[Polynomial]
-) -> bool:
-    """Whether a polynomial is among others, up to a constant."""
-    key = condition_key(branch.ring, polynomial)
-    return any(condition_key(branch.ring, p) == key for p in left)
 
 
 def _as_large(

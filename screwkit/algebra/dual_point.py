@@ -58,8 +58,8 @@ class Dual:
         if other.value == 0:
             raise ResampleError
         inverse = 1 / other.value
-        changes = {k: -change * inverse for k, change in other.changes.items()}
-        return self * Dual(inverse, {k: c * inverse for k, c in changes.items()})
+        rate = -inverse * inverse
+        return self * Dual(inverse, {k: c * rate for k, c in other.changes.items()})
 
     def is_still(self) -> bool:
         """Whether nothing changes."""

@@ -93,14 +93,14 @@ class HalfAngles:
             sine, cosine, unit = 2 * t, 1 - t**2, 1 + t**2
             polynomial = self._sum(
                 part * (sine**a * cosine**b * unit ** (degree - a - b))
-                for (a, b), part in self._slices(polynomial, self._angles[i]).items()
+                for (a, b), part in coefficients(polynomial, self._angles[i]).items()
             )
         return polynomial
 
     def _degree(self, polynomial: Polynomial, angle: int) -> int:
         """In sine and cosine together."""
         s, c = self._angles[angle]
-        return max(sum(key) for key in self._slices(polynomial, (s, c)))
+        return max(sum(key) for key in coefficients(polynomial, (s, c)))
 
     def whole(self, form: Form) -> Polynomial:
         """The primitive polynomial in normal form of a form of even degrees."""
@@ -117,7 +117,7 @@ class HalfAngles:
                 * (1 - c) ** (k // 2)
                 * (1 + c) ** (half - (k + 1) // 2)
                 * (s if k % 2 else 1)
-                for (k,), part in self._slices(polynomial, (self._size + i,)).items()
+                for (k,), part in coefficients(polynomial, (self._size + i,)).items()
             )
         value = polynomial.project_to_context(self._ring.context)
         return self._ring.normal(value) / 2 ** (sum(form.degrees.values()) // 2)
@@ -190,7 +190,7 @@ class HalfAngles:
             limits |= {i: degree // len(variable) for i in variable}
         raised = polynomial.project_to_context(self._context)
         common = None
-        for part in sorted(self._slices(raised, absent).values(), key=len):
+        for part in sorted(coefficients(raised, absent).values(), key=len):
             form = self._form(part, {i: self._degree(part, i) for i in shared})
             common = form if common is None else common.gcd(form)
             bounds = common.degrees()
@@ -281,7 +281,7 @@ class HalfAngles:
 
     def linear_parts(self, form: Form, angle: int) -> tuple[Polynomial, Polynomial]:
         """(a, b) of a form a·sin(q/2) + b·cos(q/2) that is odd in this angle alone."""
-        slices = self._slices(form.polynomial, (self._size + angle,))
+        slices = coefficients(form.polynomial, (self._size + angle,))
         rest = {i: degree for i, degree in form.degrees.items() if i != angle}
         zero = self._context.constant(0)
         a, b = (self.exact(Form(slices.get((k,), zero), rest)) for k in (1, 0))
@@ -314,12 +314,6 @@ class HalfAngles:
             return form
         scaled = monic(form.polynomial, self._names, self._roots)
         return form if scaled is None else Form(primitive(scaled), form.degrees)
-
-    def _slices(
-        self, polynomial: Polynomial, places: Sequence[int]
-    ) -> dict[tuple[int, ...], Polynomial]:
-        """The coefficients of a polynomial with respect to some generators."""
-        return coefficients(polynomial, places)
 
     def _sum(self, terms: Iterable[Polynomial]) -> Polynomial:
         return sum(terms, self._context.constant(0))

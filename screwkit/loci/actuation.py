@@ -110,6 +110,10 @@ class _Scheme:
     limbs: Sequence[Sequence[Column]]
     state: Callable[[Piece], LoopState]
 
+    def ranks(self, branch: Branch) -> LoopState | None:
+        """At random exact points of a branch; None where no point was found."""
+        return loop_state(branch, self.limbs)
+
     def search(self, given: Sequence[Piece]) -> _Found:
         """All pieces, some of which are given."""
 
@@ -123,7 +127,7 @@ class _Scheme:
             apart = replace(whole, budget=_APART, found=[], unfinished=[], special=[])
             zeros = _by_limbs(root, limbs, zeros, apart)
         whole_pieces = without_contained([*given, *pieces_of(zeros.branches)])
-        pieces = alike(whole_pieces, partial(loop_state, limbs=limbs))
+        pieces = alike(whole_pieces, self.ranks)
         complete = all(_is_decided(branch, pieces) for branch in zeros.open)
         undecided = "the zeros of the determinant were not all decided"
         reasons = dict.fromkeys(() if complete else (zeros.reason or undecided,))
@@ -162,7 +166,7 @@ class _Scheme:
         while waiting:
             here = waiting.pop()
             inside, left = _inside(here, self.limbs, search)
-            for inner in alike(inside, partial(loop_state, limbs=self.limbs)):
+            for inner in alike(inside, self.ranks):
                 freedom = self.state(inner).platform_freedom
                 if freedom and not _known(inner.branches[0], known):
                     known.append(inner)
@@ -188,11 +192,11 @@ class _Scheme:
         )
 
     def _singularity(self, piece: Piece) -> Singularity:
-        generic = loop_state(self.root, self.limbs)
+        generic = self.ranks(self.root)
         moves = bool(self.state(piece).platform_freedom)
 
         def is_singular(branch: Branch) -> bool:
-            state = loop_state(branch, self.limbs)
+            state = self.ranks(branch)
             if state is None or generic is None:
                 return False
             if moves:

@@ -18,15 +18,14 @@ from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.minors import minors_of_size
 from screwkit.algebra.modular import rank
-from screwkit.algebra.points import residue
+from screwkit.algebra.points import Point, residue
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
-from screwkit.kinematics.limb_parts import Parts, columns_of, has_loops, motion_at
+from screwkit.kinematics.limb_parts import Parts, has_loops, motion_at
 from screwkit.loci.pieces import Piece, lies_in, surely_in
-from screwkit.loci.rank_drop import extensors
-from screwkit.loci.wrench_blocks import block_minors
+from screwkit.loci.wrench_blocks import block_minors, wrenches_on
 from screwkit.loci.wrench_sums import height_of
-from screwkit.loci.wrench_vectors import ALL, Vector, overlap_minors, spanning_wrenches
+from screwkit.loci.wrench_vectors import ALL, Vector, overlap_minors
 
 _DEAREST = 3_000_000  # products of terms in a minor of all wrenches
 _LONGEST = 4_000  # terms of all their minors
@@ -58,7 +57,11 @@ def all_are_held(
     height = height_of(limbs)
     if not root.points or any(map(has_loops, limbs)):
         return False
-    systems = [_wrenches(root, limb, height, search) for limb in limbs]
+    at = root.points[0]
+    each = [_lasting(root, limb, height, at, search) for limb in limbs]
+    systems = [own for own in each if own is not None]
+    if len(systems) < len(limbs):
+        return False
     wrenches = [wrench for own in systems for wrench in own.wrenches]
     if all_known and sum(own.dimension for own in systems) == height:
         # Where those of each limb are independent, one determinant tells all; its zeros
@@ -69,7 +72,6 @@ def all_are_held(
             return True
     lists = block_minors(root, limbs, height, search)
     if lists is None:
-        at = root.points[0]
         minors = overlap_minors(root, wrenches, at, _DEAREST, _LONGEST)
         lists = [minors] if minors else []
     return bool(lists) and all(
@@ -102,13 +104,13 @@ class _Lasting:
         return _lie_in(root, minors, known, search)
 
 
-def _wrenches(root: Branch, limb: Parts, height: int, search: Search) -> _Lasting:
-    size = max(motion_at(limb, height, *at).dimension for at in root.points)
-    if size == height:
-        return _Lasting((), 0)
-    chart = extensors(root, [*columns_of(limb)], size, search.library)[0]
-    found = spanning_wrenches(root, chart, height, size, search.library)
-    return _Lasting(found, height - size)
+def _lasting(
+    root: Branch, limb: Parts, height: int, at: tuple[Point, int], search: Search
+) -> _Lasting | None:
+    found = wrenches_on(root, limb, height, at, search)
+    if found is None:
+        return None
+    return _Lasting(found, height - motion_at(limb, height, *at).dimension)
 
 
 def _span_all(wrenches: Sequence[Vector], piece: Piece) -> bool:

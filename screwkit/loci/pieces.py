@@ -243,7 +243,7 @@ def lies_in(branch: Branch, piece: Piece) -> bool:
     points = branch.points
     if not points:
         return False
-    told, _ = branch.told  # pieces share equations
+    told = branch.zero_at_points  # pieces share equations
     for text, equation in piece.by_text.items():
         if text not in told:
             told[text] = not any(residue(equation, *point) for point in points)
@@ -257,7 +257,7 @@ def has_equations_of(branch: Branch, piece: Piece) -> bool:
 
     Then all of it lies there, whatever its pending conditions are.
     """
-    _, told = branch.told
+    told = branch.zero_by_steps
     for text, equation in piece.by_text.items():
         if text not in told:
             told[text] = text in branch.texts or branch.value(equation) == 0

@@ -67,7 +67,7 @@ def block_minors(
         return None
     vectors: list[Vector] = []
     for limb in limbs:
-        own = _wrenches(branch, limb, height, at, search)
+        own = wrenches_on(branch, limb, height, at, search)
         if own is None:
             return None
         vectors += own
@@ -78,10 +78,23 @@ def block_minors(
     return found if all(found) else None
 
 
-def _wrenches(
+def wrenches_on(
     branch: Branch, limb: Parts, height: int, at: tuple[Point, int], search: Search
 ) -> list[Vector] | None:
-    """That span the wrenches of a limb wherever it has its rank on the branch."""
+    """That span the wrenches of a limb wherever it has its rank on the branch.
+
+    Elsewhere on it they are still reciprocal to the limb's twists.
+
+    Args:
+        branch: Where they are taken.
+        limb: Its parts.
+        height: Coordinates of a twist.
+        at: An exact point of the branch, with its rank, and the prime.
+        search: Known factors.
+
+    Returns:
+        None where the limb has no freedom, or the wrenches were not found.
+    """
     size = motion_at(limb, height, *at).dimension
     if size == height:
         return []

@@ -12,7 +12,7 @@ from functools import cache
 import numpy as np
 import pytest
 from loci import nao
-from loci.numeric import limb_columns, value
+from loci.numeric import Array, limb_columns, value
 from loci.test_wrench_blocks import LENGTHS, A, B, K, line, posture, turned
 
 from screwkit.algebra.polynomial_text import text
@@ -29,16 +29,24 @@ from screwkit.loci.pieces import Piece
 def freedoms(at: dict[str, float]) -> tuple[int, int]:
     """Of the passive joints, and of the platform, by singular values."""
     place = np.array([at["x"], at["y"], at["z"]])
-    systems, idle = [], 0
+    limbs = []
     for k in range(4):
         out = k * np.pi / 2
         end = place + B * turned(out + at["phi"])
         middle = A * turned(out) + LENGTHS[k] * turned(at[f"theta{k + 1}"])
         h = turned(at[f"eta{k + 1}"])
         axes = [(K, middle), (h, middle), (h, end), (K, end)]
-        left, sizes, _ = np.linalg.svd(np.array([line(*axis) for axis in axes]).T)
+        limbs.append(np.array([line(*axis) for axis in axes]).T)
+    return freedoms_of(limbs)
+
+
+def freedoms_of(limbs: list[Array]) -> tuple[int, int]:
+    """Of some limbs' passive joints, and of the platform that they hold."""
+    systems, idle = [], 0
+    for limb in limbs:
+        left, sizes, _ = np.linalg.svd(limb)
         kept = int(np.sum(sizes > 1e-9))
-        idle += 4 - kept
+        idle += limb.shape[1] - kept
         systems.append(left[:, kept:].T)
     sizes = np.linalg.svd(np.vstack(systems), compute_uv=False)
     platform = int(np.sum(sizes < 1e-9))
@@ -136,6 +144,8 @@ def test_nothing_is_shown_where_a_piece_is_not_known() -> None:
     for number in range(3):
         fewer = moving[:number] + moving[number + 1 :]
         assert not all_are_held(root, limbs, fewer, idle, search, all_known=True)
+        # A limb without a passive joint holds the platform whatever is known.
+        assert all_are_held(root, [*limbs, []], fewer, idle, search, all_known=False)
 
 
 def test_lines_that_meet_are_not_shown_to_hold() -> None:
@@ -170,16 +180,11 @@ def test_arms_whose_wrenches_are_more_than_they_need_be() -> None:
     for arm in "ABC":
         at = {f"q{k}{n}": float(source.uniform(-3, 3)) for k in "ABC" for n in range(6)}
         at |= {"l": 0.5, "m": 0.3, f"q{arm}4": 0.0}
-        systems, idle = [], 0
-        for k in "ABC":
-            joints = [f"{k}{n}" for n in range(1, 6)]
-            columns = limb_columns(case.mechanism, joints, at)[:, 1:]
-            left, sizes, _ = np.linalg.svd(columns)
-            kept = int(np.sum(sizes > 1e-9))
-            idle += 4 - kept
-            systems.append(left[:, kept:].T)
-        sizes = np.linalg.svd(np.vstack(systems), compute_uv=False)
-        assert (idle, int(np.sum(sizes < 1e-6))) == (1, 0)
+        limbs = [
+            limb_columns(case.mechanism, [f"{k}{n}" for n in range(1, 6)], at)[:, 1:]
+            for k in "ABC"
+        ]
+        assert freedoms_of(limbs) == (1, 0)
         on = [
             state.platform_freedom
             for piece, state in zip(found.pieces, found.states, strict=True)
