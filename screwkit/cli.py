@@ -12,6 +12,7 @@ from typing import Annotated, NoReturn
 import typer
 
 from screwkit import (  # noqa: F401 -- two modules register their commands
+    __version__,
     errors,
     page_commands,
     verify_command,
@@ -19,6 +20,25 @@ from screwkit import (  # noqa: F401 -- two modules register their commands
 from screwkit.commands import app
 from screwkit.options import AsJson, Which
 from screwkit.requests import DEBUG
+
+
+def _told_version(asked: bool) -> None:
+    if asked:
+        typer.echo(f"screwkit {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def program(
+    *,
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_told_version, is_eager=True, help="Its version."
+        ),
+    ] = False,
+) -> None:
+    """What holds for the program as a whole."""
 
 
 @app.command()

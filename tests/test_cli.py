@@ -10,6 +10,7 @@ import sys
 import time
 from dataclasses import replace
 from functools import cache
+from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -138,6 +139,12 @@ def test_json_is_one_document(command: str, capsys: pytest.CaptureFixture[str]) 
 @pytest.mark.usefixtures("engine")
 def test_what_is_not_proved_complete_is_1() -> None:
     assert screwkit("singularities", "nao_t14") == 1
+
+
+def test_the_program_tells_its_version(capsys: pytest.CaptureFixture[str]) -> None:
+    assert screwkit("--version") == 0
+    said = capsys.readouterr().out.split()
+    assert said == ["screwkit", metadata.version("screwkit")]
 
 
 def test_a_scheme_that_is_not_admissible_is_1(engine: Answering) -> None:

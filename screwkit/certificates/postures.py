@@ -213,10 +213,28 @@ class Postures:
 
     def unknowns_of(self, texts: Sequence[str], way: Way) -> list[int | str]:
         """Basis angles and symbols on which expressions may depend after the steps."""
-        told = [t for s in way.steps for t in (s.sine, s.cosine, s.value, s.over) if t]
+        told = [t for step in way.steps for t in _told(step)]
         names = {n for text in (*texts, *told) for n in names_in(text)}
         angles = {k for n in names & {*self.declared} for k in self.declared[n]}
         return [*sorted(angles), *(n for n in self.symbols if n in names)]
+
+    def bearing_on(self, text: str, way: Way) -> Way:
+        """Those steps of a way by which the value of an expression may change."""
+        if any(step.kind == "numbers" for step in way.steps):
+            return way  # a point tells their choices by their order
+        met = self._moved_by(names_in(text))
+        steps = []
+        for step in way.steps:  # the first is the last that is followed
+            if (step.symbol if step.kind == "symbol" else step.angle) in met:
+                steps.append(step)
+                for own in _told(step):
+                    met |= self._moved_by(names_in(own))
+        return Way(tuple(steps))
+
+    def _moved_by(self, names: frozenset[str]) -> set[int | str]:
+        """The basis angles and symbols by which names have their values."""
+        angles = (k for name in names & {*self.declared} for k in self.declared[name])
+        return {*names, *angles}
 
     def another(self) -> PointRing:
         """A random point that was not drawn before.
@@ -351,6 +369,11 @@ class Postures:
                 values = tuple(factor * x for x in values)
             twists[label] = tuple(values)
         return twists
+
+
+def _told(step: Step) -> list[str]:
+    """The texts of a step's values."""
+    return [t for t in (step.sine, step.cosine, step.value, step.over) if t]
 
 
 def _declared(angles: Angles, wanted: set[str]) -> dict[str, dict[int, int]]:

@@ -46,7 +46,7 @@ class Solutions:
         elif kinds == {"pair"} and len(case.equations) == 2:
             self._pair(case, steps[0], way)
         elif kinds == {"symbol"} and len(case.equations) == 1:
-            self._symbol(read(case.equations[0]), steps[0], way)
+            self._symbol(case.equations[0], steps[0], way)
         else:
             raise RefusedError("a case is not solved by any rule")
 
@@ -66,15 +66,17 @@ class Solutions:
         )
 
     def _linear(
-        self, equation: Expression, angle: int, point: PointRing, way: Way
+        self, text: str, angle: int, point: PointRing, way: Way
     ) -> tuple[Any, Any, Any]:
-        """(P, Q, R) with equation = P·sin φ + Q·cos φ + R for every φ.
+        """(P, Q, R) with expression = P·sin φ + Q·cos φ + R for every φ.
 
         Raises:
             RefusedError: If it is not of that form.
         """
         if not 0 <= angle < len(point.turns):
             raise RefusedError(f"there is no basis angle {angle}")
+
+        equation, way = read(text), self._postures.bearing_on(text, way)
 
         def at(turn: Turn) -> Any:
             turned = point.changed(angle, turn)
@@ -90,15 +92,17 @@ class Solutions:
         return p, q, r
 
     def _linear_in(
-        self, symbol: str, equation: Expression, point: PointRing, way: Way
+        self, symbol: str, text: str, point: PointRing, way: Way
     ) -> tuple[Any, Any]:
-        """(A, B) with equation = A·x + B for every value of a symbol x.
+        """(A, B) with expression = A·x + B for every value of a symbol x.
 
         Raises:
             RefusedError: If it is not of that form.
         """
         if symbol not in point.numbers:
             raise RefusedError(f"there is no symbol {symbol!r}")
+
+        equation, way = read(text), self._postures.bearing_on(text, way)
 
         def at(value: Any) -> Any:
             moved = point.changed(numbers={symbol: value})
@@ -119,7 +123,7 @@ class Solutions:
             raise RefusedError("the sheets of a case turn different angles")
         squares = set()
         for point in self._postures.several_before(way):
-            p, q, r = self._linear(read(case.equations[0]), first.angle, point, way)
+            p, q, r = self._linear(case.equations[0], first.angle, point, way)
             squares.add(int(p * p + q * q))
             sines = [point.value(read(step.sine)) for step in steps]
             cosines = [point.value(read(step.cosine)) for step in steps]
@@ -147,7 +151,7 @@ class Solutions:
             raise RefusedError("the equation says nothing of an angle")
         ratios = set()
         for point in self._postures.several_before(way):
-            found = self._linear(read(case.equations[0]), angle, point, way)
+            found = self._linear(case.equations[0], angle, point, way)
             given = [point.rational(value) for value in (a, b, c)]
             ratio = found[0] / given[0] if a else found[1] / given[1]
             if ratio == 0 or any(
@@ -202,8 +206,7 @@ class Solutions:
             raise RefusedError(f"{step.over} may vanish")
         for point in self._postures.several_before(way):
             rows = [
-                self._linear(read(text), step.angle, point, way)
-                for text in case.equations
+                self._linear(text, step.angle, point, way) for text in case.equations
             ]
             (p, q, r), (u, v, w) = rows
             over = point.value(read(step.over))
@@ -216,10 +219,10 @@ class Solutions:
             ):
                 raise RefusedError(f"{case.equations[0]} = 0 is solved otherwise")
 
-    def _symbol(self, equation: Expression, step: Step, way: Way) -> None:
+    def _symbol(self, text: str, step: Step, way: Way) -> None:
         """A·x + B = 0 where A and B have no common zero."""
         for point in self._postures.several_before(way):
-            a, b = self._linear_in(step.symbol, equation, point, way)
+            a, b = self._linear_in(step.symbol, text, point, way)
             if a * point.value(read(step.value)) + b * point.value(read(step.over)):
                 raise RefusedError(f"an equation is solved otherwise for {step.symbol}")
             if a == 0 or point.value(read(step.over)) == 0:

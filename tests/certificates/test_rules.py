@@ -128,6 +128,29 @@ def test_conditions_linear_in_three_symbols_are_met_together() -> None:
         assert all(point.value(read(text)) == 0 for text in texts)
 
 
+def test_only_the_steps_that_bear_on_an_expression_are_followed() -> None:
+    """Whatever the others do, the value is the same."""
+    postures = arm()
+    x = Step("symbol", symbol="x", value="2*y")
+    y = Step("symbol", symbol="y", value="z + 1")
+    turn = Step(
+        "angle", symbol="x", angle=0, sine="0", cosine="1"
+    )  # its name says nothing
+    way = Way((x, y, turn))
+    assert postures.bearing_on("x", way).steps == (x, y)
+    assert postures.bearing_on("y + z", way).steps == (y,)
+    assert postures.bearing_on("z", way).steps == ()
+    assert postures.bearing_on("z*sin(q)", way).steps == (turn,)
+    for text in ("x", "y + z", "z*sin(q)", "x*cos(q) - y"):
+        own = postures.bearing_on(text, way)
+        for before in postures.several_before(way):
+            there = (postures.moved(before, known) for known in (own, way))
+            first, second = (point.value(read(text)) for point in there)
+            assert first == second
+    numbers = Way((Step("numbers", angle=0, numbers=("1", "0", "0")), y))
+    assert postures.bearing_on("z", numbers) == numbers
+
+
 def test_only_symbols_are_solved_for_together() -> None:
     system = Unsolved(
         "x + sin(q)", symbol="x", together=(Unsolved("x - cos(q)", angle=0),)
