@@ -150,7 +150,7 @@ def singularities(
         from screwkit.sliced import sliced_singularities  # noqa: PLC0415
 
         return sliced_singularities(case, slices, Path(output), singularities)
-    if case.network.tied and not case.wanted and not strata:
+    if case.network.tied and not case.wanted:
         from screwkit.analyses.tied_branch import tied_graph  # noqa: PLC0415
         from screwkit.analyses.tied_singularities import (  # noqa: PLC0415
             tied_singularities,
@@ -158,18 +158,17 @@ def singularities(
 
         tied = tied_graph(case.network)
         closed = tied_singularities(tied, progress=progress, finished=finished)
+        if strata:
+            from screwkit.analyses.tied_strata import tied_strata  # noqa: PLC0415
+
+            met = tied_strata(tied, closed, strata, progress)
+            closed = replace(closed, strata=met)
         if certificate:
             from screwkit.verification import certified_answer  # noqa: PLC0415
 
             closed = certified_answer(case, closed, progress)
         return closed
     _need_exact_posture(case)
-    if case.network.tied and strata:
-        raise UndecidedError(
-            f"{case.network.tied}; conditions there hold at closed postures, and where "
-            f"several hold together is not looked for; without --strata this question "
-            f"is answered"
-        )
     if case.graph is not None:
         from screwkit.analyses.graph_singularities import (  # noqa: PLC0415
             graph_singularities,

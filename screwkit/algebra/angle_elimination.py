@@ -13,11 +13,12 @@ from __future__ import annotations
 
 import random
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import TypeAlias
 
-from screwkit.algebra.angle_norms import without_angle
+from screwkit.algebra.angle_norms import Effort, without_angle
+from screwkit.algebra.fixed_angles import fixed_angles, put_in
 from screwkit.algebra.points import (
     Point,
     random_point,
@@ -31,6 +32,9 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primit
 
 LONGEST = 20_000
 """Products of terms in one elimination; beyond, it is given up."""
+
+EFFORT = 2_000_000
+"""Products of terms in all orders in which unknowns are taken out."""
 
 TRIED = 60
 """Orders in which unknowns are taken out, at most."""
@@ -124,6 +128,9 @@ def eliminated(
     ring: TrigonometricRing,
     equations: Sequence[Polynomial],
     kept: Collection[Unknown],
+    effort: int = EFFORT,
+    *,
+    plain: bool = False,
 ) -> Elimination | None:
     """All unknowns but those kept taken out of equations, where that is short.
 
@@ -131,14 +138,19 @@ def eliminated(
         ring: Of the equations.
         equations: In normal form.
         kept: Unknowns to express the result in.
+        effort: Products of terms that it may take, in each of two ways.
+        plain: Put no angle that is fixed in numbers into other equations, so that all
+            steps are combinations of equations.
 
     Returns:
         None where an unknown is not linear in two equations, or the result too long.
     """
     pool = [p for p in equations if p != 0]
-    found = _searched(ring, pool, frozenset(kept), [TRIED])
+    way = _Way(ring, frozenset(kept), plain)
+    found = _searched(way, pool, Effort(effort), [TRIED])
     if found is None:  # products over two values are longer
-        found = _searched(ring, pool, frozenset(kept), [TRIED], norms=True)
+        way = replace(way, norms=True)
+        found = _searched(way, pool, Effort(effort), [TRIED])
     if found is None:
         return None
     left, steps = found
@@ -148,39 +160,48 @@ def eliminated(
 _Step: TypeAlias = Solved | Determined
 
 
+@dataclass(frozen=True)
+class _Way:
+    """How unknowns are taken out.
+
+    Attributes:
+        norms: By one equation that has two solutions, too.
+    """
+
+    ring: TrigonometricRing
+    kept: frozenset[Unknown]
+    plain: bool
+    norms: bool = False
+
+
 def _searched(
-    ring: TrigonometricRing,
-    pool: list[Polynomial],
-    kept: frozenset[Unknown],
-    tries: list[int],
-    *,
-    norms: bool = False,
+    way: _Way, pool: list[Polynomial], effort: Effort, tries: list[int]
 ) -> tuple[list[Polynomial], list[_Step]] | None:
     """What is left without the unknowns that are not kept, and how they follow."""
-    open_ones = {u for p in pool for u in unknowns(ring, p) if u not in kept}
+    ring = way.ring
+    if not way.plain:
+        pool = put_in(ring, pool, fixed_angles(ring, pool))
+    open_ones = {u for p in pool for u in unknowns(ring, p) if u not in way.kept}
     if not open_ones:
         return pool, []
-    for step, rest in _steps(ring, pool, sorted(open_ones), norms=norms):
+    for step, rest in _steps(way, pool, sorted(open_ones), effort):
         if tries[0] <= 0:
             return None
         tries[0] -= 1
-        found = _searched(ring, rest, kept, tries, norms=norms)
+        found = _searched(way, rest, effort, tries)
         if found is not None:
             return found[0], [step, *found[1]]
     return None
 
 
 def _steps(
-    ring: TrigonometricRing,
-    pool: Sequence[Polynomial],
-    open_ones: Sequence[Unknown],
-    *,
-    norms: bool,
+    way: _Way, pool: Sequence[Polynomial], open_ones: Sequence[Unknown], effort: Effort
 ) -> Iterator[tuple[_Step, list[Polynomial]]]:
     """One unknown less: the step, and the equations without it; short ones first.
 
-    With ``norms`` one linear equation is enough, where two were not.
+    With norms one linear equation is enough, where two were not.
     """
+    ring = way.ring
     pairs: list[tuple[bool, int, Unknown, tuple[int, int]]] = []
     alone: list[tuple[int, Unknown, int]] = []
     for unknown in open_ones:
@@ -193,7 +214,7 @@ def _steps(
             continue
         parts = {i: parts_in(ring, pool[i], unknown) for i in places}
         linear = [i for i in places if parts[i] is not None]
-        if norms and unknown[0] == "angle":
+        if way.norms and unknown[0] == "angle":
             alone += [(len(pool[i]), unknown, i) for i in linear]
         if len(linear) < len(places):
             continue
@@ -203,12 +224,12 @@ def _steps(
                 (not _is_even(ring, pool[i], pool[k], unknown), size, unknown, (i, k))
             )
     for _, size, unknown, pair in sorted(pairs):
-        if size <= LONGEST:
-            taken = _without(ring, pool, unknown, pair)
+        if size <= LONGEST and effort.spend(size):
+            taken = _without(ring, pool, unknown, pair, effort)
             if taken is not None:
                 yield taken
     for _, unknown, place in sorted(alone):
-        left = without_angle(ring, pool, unknown[1], place)
+        left = without_angle(ring, pool, unknown[1], place, effort)
         if left is not None:
             yield Determined(unknown, pool[place]), left
 
@@ -229,6 +250,7 @@ def _without(
     pool: Sequence[Polynomial],
     unknown: Unknown,
     pair: tuple[int, int],
+    effort: Effort,
 ) -> tuple[_Step, list[Polynomial]] | None:
     """The pool without an unknown that two of its equations give."""
     solved = _solved(ring, [pool[i] for i in pair], unknown)
@@ -241,7 +263,9 @@ def _without(
         if unknown not in unknowns(ring, equation):
             rest.append(equation)
             continue
-        value = _put_in(ring, equation, unknown, step)
+        value = None
+        if effort.spend(len(equation) * len(step.divisor)):
+            value = _put_in(ring, equation, unknown, step)
         if value is None:
             return None
         rest.append(value)

@@ -10,6 +10,7 @@ References: [CoxLittleOShea] §3.1 (elimination).
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from screwkit.algebra.points_on import unknowns
@@ -27,8 +28,28 @@ class _Value(NamedTuple):
     v: Polynomial
 
 
+@dataclass
+class Effort:
+    """What may still be spent on an elimination.
+
+    Attributes:
+        left: Products of terms.
+    """
+
+    left: int
+
+    def spend(self, products: int) -> bool:
+        """Whether so many could be paid for."""
+        self.left -= products
+        return self.left >= 0
+
+
 def without_angle(
-    ring: TrigonometricRing, pool: Sequence[Polynomial], angle: int, place: int
+    ring: TrigonometricRing,
+    pool: Sequence[Polynomial],
+    angle: int,
+    place: int,
+    effort: Effort,
 ) -> list[Polynomial] | None:
     """What equations imply without an angle; None where that is long.
 
@@ -37,6 +58,7 @@ def without_angle(
         pool: In normal form.
         angle: Number of the angle in the basis.
         place: Of an equation that is linear in its sine and cosine.
+        effort: What it may take.
     """
     parts = angle_parts(ring, pool[place], angle)
     if parts is None:
@@ -52,7 +74,7 @@ def without_angle(
         if number == place:
             continue
         if ("angle", angle) in unknowns(ring, equation):
-            norm = _norm(ring, equation, angle, (sine, cosine, below, square))
+            norm = _norm(ring, equation, angle, (sine, cosine, below, square), effort)
             if norm is None:
                 return None
             equation = norm  # noqa: PLW2901 -- the same without the angle
@@ -66,6 +88,7 @@ def _norm(
     equation: Polynomial,
     angle: int,
     solution: tuple[_Value, _Value, Polynomial, Polynomial],
+    effort: Effort,
 ) -> Polynomial | None:
     """The product of an equation's values at both solutions, times a power of D."""
     sine, cosine, below, square = solution
@@ -80,13 +103,17 @@ def _norm(
     for (i, k), terms in by_power.items():
         value = _Value(ring.context.from_dict(terms), ring.zero)
         for factor in (*[sine] * i, *[cosine] * k):
+            cost = sum(map(len, value)) * sum(map(len, factor))
+            if not effort.spend(cost):
+                return None
             value = _product(ring, value, factor, square)
             if max(map(len, value)) > LONGEST:
                 return None
         for _ in range(degree - i - k):
             value = _Value(ring.normal(value.u * below), ring.normal(value.v * below))
         total = _Value(total.u + value.u, total.v + value.v)
-    if len(total.u) ** 2 + len(total.v) ** 2 > LONGEST**2:
+    cost = len(total.u) ** 2 + len(total.v) ** 2
+    if cost > LONGEST**2 or not effort.spend(cost):
         return None
     return ring.normal(total.u * total.u - total.v * total.v * square)
 

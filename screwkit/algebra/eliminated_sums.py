@@ -42,7 +42,7 @@ def sums_without(
         conditions: In normal form.
         kept: Unknowns that may stay.
     """
-    plan = eliminated(ring, conditions, kept)
+    plan = eliminated(ring, conditions, kept, plain=True)
     if plan is None:
         return
     pool: list[_Sum] = []

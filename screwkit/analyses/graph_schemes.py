@@ -26,6 +26,7 @@ from screwkit.analyses.scheme_lists import (
     number_of_schemes,
     told_schemes,
 )
+from screwkit.analyses.whole_singularities import NAMED
 from screwkit.errors import UnknownNameError
 from screwkit.kinematics.tied_graph import TiedGraph
 from screwkit.kinematics.whole_graph import WholeGraph
@@ -41,8 +42,6 @@ from screwkit.results.undecided import Undecided
 
 PER_LOCUS = 20_000
 """Terms that the locus of one scheme counts as."""
-
-_NAMED = 30  # freedoms up to which statements about axes are tried
 
 
 @dataclass
@@ -91,7 +90,7 @@ class _Loci:
     def factors(self) -> tuple[LocusFactor, ...]:
         """All equations with their meanings, the commonest first."""
         graph = self.graph
-        few = len(graph.framed.joints) <= _NAMED and not isinstance(graph, TiedGraph)
+        few = len(graph.framed.joints) <= NAMED
         meanings = Meanings(graph.framed, graph.root, graph.library) if few else None
         return tuple(
             LocusFactor(

@@ -14,6 +14,7 @@ from typing import Any
 from screwkit.analyses.one_component import limb_component
 from screwkit.analyses.whole_singularities import (
     graph_component,
+    meanings_of,
     never_still,
     put_together,
 )
@@ -27,7 +28,6 @@ from screwkit.loci.graph_loci import (
 )
 from screwkit.loci.graph_witness import GraphWitnesses
 from screwkit.loci.meanings import Meanings
-from screwkit.loci.mechanism_figures import axes_of
 from screwkit.loci.pieces import Piece
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
@@ -37,8 +37,6 @@ from screwkit.results.singularities import (
     LimbSingularities,
     Singularities,
 )
-
-_NAMED = 30  # freedoms up to which statements about axes are tried
 
 
 def graph_singularities(
@@ -82,13 +80,6 @@ def graph_singularities(
     )
 
 
-def _meanings(graph: WholeGraph) -> Meanings | None:
-    if len(graph.framed.joints) > _NAMED:
-        return None
-    given = graph.framed, graph.root, graph.library
-    return Meanings(*given, axes_of(*given))
-
-
 def _size(graph: WholeGraph) -> int:
     return len(graph.network.rows)
 
@@ -102,7 +93,7 @@ def _in_order(pieces: Sequence[Piece]) -> list[Piece]:
 def _limb(limb: WholeGraph, name: str) -> LimbSingularities:
     """Where one limb allows the platform less than in general."""
     locus = limb_locus(limb)
-    meanings = _meanings(limb) if locus.pieces else None
+    meanings = meanings_of(limb) if locus.pieces else None
     components = tuple(
         limb_component(
             piece,
@@ -134,7 +125,7 @@ def _constraint(graph: WholeGraph) -> ConstraintSingularities:
             0, True, (), proof="there is no loop to constrain"
         )
     locus = constraint_locus(graph)
-    meanings = _meanings(graph) if locus.pieces else None
+    meanings = meanings_of(graph) if locus.pieces else None
     return ConstraintSingularities(
         generic_rank=generic.loop,
         complete=not locus.reason,
@@ -166,7 +157,7 @@ def actuation_places(
         witness = GraphWitnesses(graph).of(actuated)
         return never_still(actuated, size, generic.platform_freedom, witness), ()
     locus = actuation_locus(graph, actuated)
-    meanings = _meanings(graph) if locus.pieces or locus.others else None
+    meanings = meanings_of(graph) if locus.pieces or locus.others else None
 
     def component(piece: Piece) -> Component:
         state = state_on(graph, piece.branches, actuated)

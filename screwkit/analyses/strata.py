@@ -19,12 +19,16 @@ from typing import Literal
 
 from screwkit.algebra.angle_basis import inverse_forms
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.evaluation import evaluate
-from screwkit.algebra.parse import parse
 from screwkit.algebra.rational_values import rational_value
 from screwkit.algebra.real_point import RealPoint, real_point
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.analyses.strata_parts import (
+    differs,
+    expected_state,
+    left_side,
+    members_of,
+)
 from screwkit.errors import ExpressionError
 from screwkit.loci.canonical import in_known_conditions
 from screwkit.loci.meetings import Meeting, Meetings, is_inside, recovered, same_set
@@ -34,13 +38,7 @@ from screwkit.loci.wording import equations_of, solved_equations
 from screwkit.mechanism.model import Mechanism
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import Component, Singularities
-from screwkit.results.strata import (
-    ExpectedState,
-    Member,
-    PlatformState,
-    Strata,
-    Stratum,
-)
+from screwkit.results.strata import Member, PlatformState, Strata, Stratum
 
 DEEPEST = 4
 """Codimension up to which intersections are looked for."""
@@ -91,7 +89,7 @@ class _Stratification:
         self._missing = 0
         self._places: list[Piece] = []
         self._labels: list[list[Member]] = []
-        for member, component in _components(answer):
+        for member, component in members_of(answer):
             self._take(member, component)
 
     @cached_property
@@ -116,7 +114,7 @@ class _Stratification:
     def _recovered(self, component: Component) -> Piece | None:
         ring = self._root.ring
         try:
-            equations = [_polynomial(ring, text) for text in component.equations]
+            equations = [left_side(ring, text) for text in component.equations]
         except (ExpressionError, KeyError):
             return None
         if any(len(equation) > LONGEST for equation in equations):
@@ -160,7 +158,8 @@ class _Stratification:
         wide = sorted(self._widest(meeting))
         expected = None
         if wide:
-            expected = self._expected([states[n] for n in wide])
+            alone = [states[n] for n in wide]
+            expected = expected_state(self._states.size, self._generic, alone)
         itself = self._labels[number] if number < len(self._places) else []
         if not itself:
             piece = self._in_words_of(piece, [self._places[n] for n in wide])
@@ -183,7 +182,7 @@ class _Stratification:
             codimension=piece.codimension,
             state=state,
             expected=expected,
-            differs=expected is not None and _differs(state, expected),
+            differs=expected is not None and differs(state, expected),
             holds=self._holds(number, found, states),
             real="undecided" if real is None else "proved",
             posture=() if real is None else _posture(self._root.ring, real),
@@ -206,25 +205,6 @@ class _Stratification:
                 m != n and is_inside(self._places[n], self._places[m]) for m in around
             )
         ]
-
-    def _expected(self, alone: Sequence[PlatformState]) -> ExpectedState:
-        size = self._states.size
-        ranks = tuple(
-            min(own) if min(own) < generic else max(own)
-            for generic, *own in zip(
-                self._generic.limb_ranks, *(s.limb_ranks for s in alone), strict=True
-            )
-        )
-        dependent = max(
-            sum(size - rank for rank in s.limb_ranks) - s.wrench_dimension
-            for s in alone
-        )
-        wrenches = sum(size - rank for rank in ranks) - dependent
-        wrenches = max(0, min(size, wrenches))
-        locked = [s.locked_freedom for s in alone if s.locked_freedom is not None]
-        return ExpectedState(
-            ranks, wrenches, size - wrenches, max(locked, default=None)
-        )
 
     # -- where the state changes ---------------------------------------------------
 
@@ -276,30 +256,6 @@ class _Stratification:
             if found is not None:
                 return found
         return None
-
-
-def _components(answer: Singularities) -> Iterator[tuple[Member, Component]]:
-    for limb in answer.limb:
-        for n, component in enumerate(limb.components):
-            yield Member("limb", limb.limb, n), component
-    for n, component in enumerate(answer.constraint.components):
-        yield Member("constraint", "", n), component
-    if answer.actuation is not None:
-        for n, component in enumerate(answer.actuation.components):
-            yield Member("actuation", "", n), component
-
-
-def _polynomial(ring: TrigonometricRing, text: str) -> Polynomial:
-    value = ring.normal(evaluate(parse(text), ring))
-    return ring.without_divisors([value])[0]
-
-
-def _differs(state: PlatformState, expected: ExpectedState) -> bool:
-    return (
-        state.limb_ranks != expected.limb_ranks
-        or state.platform_freedom != expected.platform_freedom
-        or state.locked_freedom != expected.locked_freedom
-    )
 
 
 def _reasons(missing: int, meetings: Meetings) -> list[str]:

@@ -10,18 +10,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 from screwkit.algebra.points_on import Unknown
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.solve import solutions
 from screwkit.analyses.closed_example import closed_example
-from screwkit.analyses.one_component import component_of
+from screwkit.analyses.one_component import limb_component
 from screwkit.analyses.own_branch import MOVES_ALL_ALONG, STILL_ALL_ALONG, OwnBranch
 from screwkit.analyses.tied_branch import rank_in_the_file
 from screwkit.analyses.whole_singularities import (
     graph_component,
+    meanings_of,
     never_still,
     put_together,
 )
@@ -29,6 +29,7 @@ from screwkit.kinematics.tied_graph import TiedGraph
 from screwkit.kinematics.whole_graph import GraphState
 from screwkit.loci.closed_pieces import TiedLocus, TiedPiece
 from screwkit.loci.graph_witness import GraphWitnesses
+from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece
 from screwkit.loci.tied_loci import columns_locus, loop_locus
 from screwkit.progress import Progress, silent
@@ -36,11 +37,13 @@ from screwkit.results.singularities import (
     ActuationSingularities,
     Component,
     ConstraintSingularities,
+    DrivenCondition,
     LimbSingularities,
     Singularities,
 )
+from screwkit.results.solution import Solution
 
-_LONG = 160  # characters of a condition that is written into a sentence
+_LONG = 160  # characters of a condition that is written though it is not solved
 
 
 def tied_singularities(
@@ -73,11 +76,12 @@ def tied_singularities(
         finished(f"limb {limb.name}", limbs[-1])
     progress("constraint", f"{len(graph.network.labels)} columns")
     locus = loop_locus(graph, (), kept)
+    meanings = meanings_of(graph) if locus.pieces else None
     constraint = ConstraintSingularities(
         generic_rank=generic.loop,
         complete=not locus.reason,
         components=tuple(
-            _component(graph, one, state, state.loop)
+            _component(graph, one, meanings, state, state.loop)
             for one in locus.pieces
             for state in [graph.state_at(one.points)]
         ),
@@ -115,6 +119,8 @@ def _limb(graph: TiedGraph, number: int, kept: Sequence[Unknown]) -> LimbSingula
             reason="the limb is no chain, and its loops tie joint variables together",
         )
     locus = columns_locus(graph, labels, kept)
+    meanings = meanings_of(graph) if locus.pieces else None
+    listed = [one.piece for one in locus.pieces]
     rank = graph.rank_of(labels, graph.closed.points)
     return LimbSingularities(
         limb=limb.name,
@@ -122,8 +128,9 @@ def _limb(graph: TiedGraph, number: int, kept: Sequence[Unknown]) -> LimbSingula
         generic_rank=rank,
         complete=not locus.reason,
         components=tuple(
-            _limb_component(graph, one, graph.rank_of(labels, one.points))
+            _limb_component(graph, one, meanings, listed, own)
             for one in locus.pieces
+            for own in [graph.rank_of(labels, one.points)]
         ),
         proof=_proof(locus),
         reason=locus.reason,
@@ -156,10 +163,12 @@ def tied_actuation(
     if left:
         return never_still(actuated, size, left, MOVES_ALL_ALONG), ()
     locus = loop_locus(graph, actuated, graph.unknowns_of(actuated))
+    meanings = meanings_of(graph) if locus.pieces else None
     found = []
     for one in locus.pieces:
         state = graph.state_at(one.points, actuated)
-        found.append(_component(graph, one, state, size - state.platform_freedom))
+        rank = size - state.platform_freedom
+        found.append(_component(graph, one, meanings, state, rank))
     idle = tuple(c for c in found if not c.platform_freedom)
     reason = locus.reason
     if generic.loop > rank_in_the_file(graph.network, actuated):
@@ -185,58 +194,61 @@ def tied_actuation(
 
 
 def _component(
-    graph: TiedGraph, one: TiedPiece, state: GraphState, rank: int
+    graph: TiedGraph,
+    one: TiedPiece,
+    meanings: Meanings | None,
+    state: GraphState,
+    rank: int,
 ) -> Component:
-    words = partial(_where_closed, graph, one)
+    words = meanings.each_of if meanings else None
     component = graph_component(graph, one.piece, state, rank, words)
-    return _with_example(graph, one, component)
+    return _at_closed_postures(graph, one, component)
 
 
-def _limb_component(graph: TiedGraph, one: TiedPiece, rank: int) -> Component:
-    component = component_of(
+def _limb_component(
+    graph: TiedGraph,
+    one: TiedPiece,
+    meanings: Meanings | None,
+    listed: Sequence[Piece],
+    rank: int,
+) -> Component:
+    component = limb_component(
         one.piece,
         graph.root,
         graph.library,
-        partial(_where_closed, graph, one),
+        meanings,
+        listed,
         rank=rank,
-        wrench_dimension=_size(graph) - rank,
+        dimension=_size(graph),
     )
-    return _with_example(graph, one, component)
+    return _at_closed_postures(graph, one, component)
 
 
-def _with_example(graph: TiedGraph, one: TiedPiece, component: Component) -> Component:
-    return replace(component, example=closed_example(graph, one.piece.equations))
+def _at_closed_postures(
+    graph: TiedGraph, one: TiedPiece, component: Component
+) -> Component:
+    example = closed_example(graph, one.piece.equations)
+    return replace(component, example=example, closes=_where_closed(graph, one))
 
 
-def _where_closed(graph: TiedGraph, one: TiedPiece, _: Piece) -> str | None:
-    """What the driven variables are at closed postures on a piece, in words.
-
-    However the piece is written.
-    """
+def _where_closed(graph: TiedGraph, one: TiedPiece) -> tuple[DrivenCondition, ...]:
+    """What the driven variables are at closed postures on a piece, if that is short."""
     ring = graph.framed.ring
-    sentences = []
+    found = []
     for part in one.inputs:
-        text = f"{equation_text(ring, part.polynomial)} = 0"
-        solved = [
-            s
-            for s in solutions(ring, part, graph.root.assumptions)
-            if s.variable in graph.mechanism.joint_variables
-        ]
-        if solved:
-            modulo = " (mod pi)" if solved[0].modulo == "pi" else ""
-            text = f"{solved[0].variable} = {_values(solved[0].values)}{modulo}"
-        if len(text) <= _LONG:
-            sentences.append(text)
-    if not sentences or len(sentences) < len(one.inputs):
-        return None
-    return f"the loops close there with {' or '.join(sentences)}"
-
-
-def _values(values: Sequence[str]) -> str:
-    """Values side by side, two opposite ones as one."""
-    if len(values) == 2 and values[1] == f"-{values[0]}":
-        return f"±{values[0]}"
-    return ", ".join(values)
+        equation = equation_text(ring, part.polynomial)
+        solved = next(
+            (
+                Solution(s.variable, s.values, s.modulo)
+                for s in solutions(ring, part, graph.root.assumptions)
+                if s.variable in graph.mechanism.joint_variables
+            ),
+            None,
+        )
+        if solved is None and len(equation) > _LONG:
+            return ()
+        found.append(DrivenCondition(equation, solved))
+    return tuple(found)
 
 
 def _proof(locus: TiedLocus) -> str:

@@ -10,6 +10,8 @@ from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.analyses.assumed import assumptions_in_words, unsplit
 from screwkit.analyses.one_component import component_of
 from screwkit.kinematics.whole_graph import GraphState, WholeGraph
+from screwkit.loci.meanings import Meanings
+from screwkit.loci.mechanism_figures import axes_of
 from screwkit.loci.pieces import Piece
 from screwkit.mechanism.model import Mechanism
 from screwkit.results.singularities import (
@@ -19,6 +21,17 @@ from screwkit.results.singularities import (
     LimbSingularities,
     Singularities,
 )
+
+NAMED = 30
+"""Freedoms up to which statements about axes are tried."""
+
+
+def meanings_of(graph: WholeGraph) -> Meanings | None:
+    """What loci of a graph mean; None where it has many freedoms."""
+    if len(graph.framed.joints) > NAMED:
+        return None
+    given = graph.framed, graph.root, graph.library
+    return Meanings(*given, axes_of(*given))
 
 
 def put_together(

@@ -9,13 +9,9 @@ The frame alone is worth a factor of 4 to 24 (docs/decisions/0003-frames.md).
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Collection
 from dataclasses import dataclass
 
-from screwkit.algebra.angle_basis import AngleForm
-from screwkit.algebra.evaluation import cosine_sine
-from screwkit.algebra.ring import Ring, S
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import (
     Polynomial,
@@ -24,10 +20,10 @@ from screwkit.algebra.trigonometric import (
 )
 from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.kinematics.freedoms import JointTwist
-from screwkit.kinematics.placement import joint_twists, table_joints
+from screwkit.kinematics.parallel_axes import parallel_basis
+from screwkit.kinematics.placement import joint_twists
 from screwkit.mechanism.joints import freedom_labels
-from screwkit.mechanism.model import Joint, JointType, MdhRow, Mechanism
-from screwkit.screw import vector
+from screwkit.mechanism.model import JointType, Mechanism
 from screwkit.screw.vector import Vector
 
 
@@ -106,7 +102,7 @@ def framed_twists(
     seen = survey(mechanism, joints, origin)
     plain = TrigonometricRing(seen)
     basis = plain_basis(tuple(seen.angles))
-    if merged and mechanism.geometry == "mdh":
+    if merged and mechanism.geometry != "posture":
         basis = parallel_basis(mechanism, joints, origin, plain)
     same = basis == plain_basis(tuple(seen.angles))
     ring = plain if same else TrigonometricRing(seen, basis)
@@ -119,13 +115,20 @@ def framed_twists(
         tuple(ordered),
         tuple(_column(twists[name], ring) for name in ordered),
         tuple(twists[name].point for name in ordered),
-        balls=tuple(
-            (joint.name, own[joint.name][:3])
-            for joint in mechanism.joints
-            if joint.type in BALLS
-            and joint.name in joints
-            and mechanism.space == "spatial"
-        ),
+        balls=balls_among(mechanism, joints),
+    )
+
+
+def balls_among(
+    mechanism: Mechanism, joints: Collection[str]
+) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Those of the joints that turn about a point, with their rotations."""
+    if mechanism.space == "planar":
+        return ()
+    return tuple(
+        (joint.name, freedom_labels(joint, mechanism.space)[:3])
+        for joint in mechanism.joints
+        if joint.type in BALLS and joint.name in joints
     )
 
 
@@ -147,76 +150,3 @@ def shortest_twists(
         (framed_twists(mechanism, joints, origin) for origin in origins),
         key=lambda framed: framed.terms,
     )
-
-
-def parallel_basis(
-    mechanism: Mechanism,
-    joints: Collection[str],
-    origin: str,
-    ring: TrigonometricRing,
-) -> tuple[AngleForm, ...]:
-    """Basis angles: for each run of parallel axes, the sums along the run.
-
-    The run is followed outwards from ``origin``; prismatic joints do not end it.
-    """
-    chosen = [j for j in table_joints(mechanism) if j.name in joints]
-    neighbours: dict[str, list[Joint]] = {}
-    for joint in chosen:
-        neighbours.setdefault(joint.parent, []).append(joint)
-        neighbours.setdefault(joint.child, []).append(joint)
-    forms: dict[str, AngleForm] = {}
-    start: tuple[Vector[Polynomial] | None, dict[str, int]] = (None, {})
-    queue = deque([(origin, "", start)])
-    reached = {origin}
-    while queue:
-        link, via, (axis, total) = queue.popleft()
-        for joint in neighbours.get(link, ()):
-            other = joint.child if joint.parent == link else joint.parent
-            if joint.name == via or other in reached:
-                continue
-            reached.add(other)
-            outwards = joint.parent == link
-            here, there = _axis_in_links(joint, ring)
-            if not outwards:
-                here, there = there, here
-            sign = _parallel(ring, axis, here) if axis is not None else 0
-            carried = {name: sign * count for name, count in total.items() if sign}
-            if joint.type is JointType.REVOLUTE and not any(joint.held):
-                carried[joint.variables[0]] = 1 if outwards else -1
-                forms[joint.variables[0]] = _positive(carried)
-            if joint.type is not JointType.REVOLUTE and axis is not None and not sign:
-                queue.append((other, joint.name, (None, {})))
-            else:
-                queue.append((other, joint.name, (there, carried)))
-    rest = [a for a in _angles_of(ring) if a not in forms]
-    return (*forms.values(), *plain_basis(rest))
-
-
-def _angles_of(ring: TrigonometricRing) -> tuple[str, ...]:
-    constant = ring.constant_angles
-    return tuple(form[0][0] for form in ring.basis if form[0][0] not in constant)
-
-
-def _positive(form: dict[str, int]) -> AngleForm:
-    """The form with the last added angle, its own, counted positively."""
-    own = next(reversed(form))
-    sign = form[own]
-    ordered = [own, *(name for name in form if name != own)]
-    return tuple((name, sign * form[name]) for name in ordered)
-
-
-def _axis_in_links(joint: Joint, ring: Ring[S]) -> tuple[Vector[S], Vector[S]]:
-    """The joint's z axis in the frames of its parent and of its child."""
-    row = joint.mdh or MdhRow()
-    cg, sg = cosine_sine(row.gamma, ring)
-    ca, sa = cosine_sine(row.alpha, ring)
-    in_parent = (ring.normal(sg * sa), ring.normal(-(cg * sa)), ca)
-    return in_parent, (ring.zero, ring.zero, ring.one)
-
-
-def _parallel(ring: Ring[S], a: Vector[S], b: Vector[S]) -> int:
-    """1 or −1 for unit vectors that are equal or opposite for every posture, else 0."""
-    if not all(ring.is_zero(ring.normal(x)) for x in vector.cross(a, b)):
-        return 0
-    same = ring.normal(vector.dot(a, b) - ring.one)
-    return 1 if ring.is_zero(same) else -1

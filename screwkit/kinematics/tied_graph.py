@@ -20,12 +20,14 @@ from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.points import Point, rank_at, residue
 from screwkit.algebra.points_on import Unknown, unknowns
 from screwkit.algebra.search import Search
+from screwkit.algebra.sliced_points import sliced_points
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.errors import UndecidedError
-from screwkit.kinematics.frames import FramedTwists
+from screwkit.kinematics.frames import FramedTwists, balls_among
 from screwkit.kinematics.link_invariants import link_invariants
 from screwkit.kinematics.network import Motion, motion
+from screwkit.kinematics.parallel_axes import parallel_basis
 from screwkit.kinematics.tied_twists import (
     closing_demands,
     tied_demands,
@@ -56,7 +58,9 @@ class TiedGraph(WholeGraph):
         seen = SurveyRing()
         tied_twists(mechanism, seen, base)
         tied_demands(mechanism, seen)
-        ring = TrigonometricRing(seen)
+        names = [joint.name for joint in mechanism.joints]
+        basis = parallel_basis(mechanism, names, base, TrigonometricRing(seen))
+        ring = TrigonometricRing(seen, basis)
         twists = tied_twists(mechanism, ring, base)
         missing = [x for x in self.network.labels if x not in twists]
         if missing:
@@ -74,6 +78,7 @@ class TiedGraph(WholeGraph):
                 tuple(x for name in limb.joints for x in self.network.labels_of[name])
                 for limb in self.network.limbs
             ),
+            balls_among(mechanism, names),
         )
 
     @cached_property
@@ -135,15 +140,25 @@ class TiedGraph(WholeGraph):
     def closed(self) -> ClosedPart:
         """All closed postures.
 
-        Where they were not all taken apart, points come from elimination too, which
-        knows no special ones.
+        Where they were not all taken apart, points come from random slices or from
+        elimination too, which know no special ones.
         """
         found = self.closed_where(())
         if found.is_complete:
             return found
-        implied = self.implied((), self.unknowns_of(self.mechanism.actuated))
-        points = () if implied is None else points_of(implied, _POINTS)
+        points = self.met_where(())
+        if not points:
+            implied = self.implied((), self.unknowns_of(self.mechanism.actuated))
+            points = () if implied is None else points_of(implied, _POINTS)
         return ClosedPart((*points, *found.points), False, True)
+
+    def met_where(
+        self, equations: Sequence[Polynomial]
+    ) -> tuple[tuple[Point, int], ...]:
+        """Exact closed postures at which further equations hold, on random slices."""
+        wanted = (*equations, *self.closing)
+        dimensions = self.unknowns_of(())
+        return sliced_points(self.framed.ring, wanted, dimensions, _POINTS)
 
     @property
     def points(self) -> tuple[tuple[Point, int], ...]:

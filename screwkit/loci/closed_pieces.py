@@ -5,21 +5,25 @@ References: [CoxLittleOShea] §3.1.
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 from screwkit.algebra.angle_elimination import Elimination
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factors import Factor, factor
 from screwkit.algebra.no_real_angle import never_met
 from screwkit.algebra.points import Point, residue
-from screwkit.algebra.points_on import unknowns
+from screwkit.algebra.points_on import Unknown, unknowns
 from screwkit.algebra.search import Search
-from screwkit.algebra.trigonometric import TrigonometricRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.kinematics.tied_graph import TiedGraph, points_of
 from screwkit.loci.pieces import Piece
 
 _IMPLIED = 40  # case distinctions on what a piece implies
 _POINTS = 4  # exact closed postures on a piece
+_SHORT = 1_000  # terms of what is left, with which points are looked for
+_ALONE = 4  # angles to which conditions are brought one by one
 
 
 @dataclass(frozen=True)
@@ -50,31 +54,98 @@ class TiedLocus:
     reason: str = ""
 
 
+@dataclass(frozen=True)
+class ClosedPostures:
+    """What is known of closed postures at which equations hold.
+
+    Attributes:
+        never: It is proved that there is none, special dimensions aside.
+        points: Exact ones, with their primes.
+        implied: What the equations imply there for the unknowns that were kept; None
+            where that was not found.
+    """
+
+    never: bool
+    points: tuple[tuple[Point, int], ...] = ()
+    implied: Elimination | None = None
+
+
+def closed_on(
+    graph: TiedGraph,
+    equations: Sequence[Polynomial],
+    kept: Collection[Unknown],
+    *,
+    thorough: bool = False,
+) -> ClosedPostures:
+    """Closed postures at which equations hold, or a proof that there is none.
+
+    Args:
+        graph: The mechanism.
+        equations: In its ring.
+        kept: Unknowns for which their consequences are wanted.
+        thorough: Look for a proof that complex postures alone meet them, too.
+    """
+    part = graph.closed_where(equations)
+    if part.is_empty:
+        return ClosedPostures(True)
+    first: Elimination | None = None
+    points = part.points or graph.met_where(equations)
+    for number, chosen in enumerate(_choices(graph, kept)):
+        if number and points and not thorough:
+            break
+        implied = graph.implied(equations, chosen)
+        if implied is None:
+            continue
+        if is_impossible(graph, implied):
+            return ClosedPostures(True)
+        if not number:
+            first = implied
+        points = points or points_where(implied)
+    return ClosedPostures(False, points, first)
+
+
+def _choices(
+    graph: TiedGraph, kept: Collection[Unknown]
+) -> Iterator[Collection[Unknown]]:
+    """Unknowns to keep: those asked for, none but dimensions, or one angle alone."""
+    dimensions = graph.unknowns_of(())
+    yield kept
+    yield dimensions
+    angles = (("angle", number) for number in range(len(graph.framed.ring.basis)))
+    for angle in islice((a for a in angles if a not in dimensions), _ALONE):
+        yield (*dimensions, angle)
+
+
 def is_impossible(graph: TiedGraph, implied: Elimination) -> bool:
     """Whether it is proved that what is implied holds at no real posture."""
-    if never_met(graph.framed.ring, implied.left):
+    ring = graph.framed.ring
+    if never_met(ring, implied.left):
+        return True
+    if any(p != 0 and not _speaks_of_joints(graph, p) for p in implied.left):
         return True
     if len(implied.left) < 2:
         return False
     search = Search(graph.library, budget=_IMPLIED)
     zeros = common_zeros(graph.root, implied.left, search)
     return zeros.complete and all(
-        never_met(graph.framed.ring, branch.conditions) for branch in zeros.branches
+        never_met(ring, branch.conditions) for branch in zeros.branches
     )
 
 
 def points_where(implied: Elimination | None) -> tuple[tuple[Point, int], ...]:
     """Exact closed postures at which what was eliminated holds; empty without any."""
-    return () if implied is None else points_of(implied, _POINTS)
+    if implied is None or sum(map(len, implied.left)) > _SHORT:
+        return ()
+    return points_of(implied, _POINTS)
 
 
-def _speaks_of_joints(graph: TiedGraph, one: Factor) -> bool:
+def _speaks_of_joints(graph: TiedGraph, polynomial: Polynomial) -> bool:
     """Whether joint variables occur, and not dimensions alone."""
     ring = graph.framed.ring
     dimensions = {parameter.name for parameter in graph.mechanism.parameters}
     names = (
         ring.basis[number][0][0] if kind == "angle" else _symbol(ring, number)
-        for kind, number in unknowns(ring, one.polynomial)
+        for kind, number in unknowns(ring, polynomial)
     )
     return any(name not in dimensions for name in names)
 
@@ -90,7 +161,9 @@ def inputs_where(graph: TiedGraph, implied: Elimination | None) -> tuple[Factor,
         return ()
     met = []
     for one, _ in factor(graph.framed.ring, implied.left[0], graph.library).factors:
-        if len(one.equations) > 1 or not _speaks_of_joints(graph, one):
+        if len(one.equations) > 1 or not _speaks_of_joints(graph, one.polynomial):
+            continue
+        if never_met(graph.framed.ring, [one.polynomial]):
             continue
         own = Elimination(implied.ring, implied.equations, one.equations, implied.steps)
         if any(not residue(one.polynomial, *at) for at in points_where(own)):

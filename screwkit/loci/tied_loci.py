@@ -22,9 +22,8 @@ from screwkit.kinematics.whole_graph import Row
 from screwkit.loci.closed_pieces import (
     TiedLocus,
     TiedPiece,
+    closed_on,
     inputs_where,
-    is_impossible,
-    points_where,
 )
 from screwkit.loci.graph_loci import GraphLocus
 from screwkit.loci.lower_rank import lower_rank
@@ -86,16 +85,11 @@ def _searched(
     found: list[TiedPiece] = []
     unmet = 0
     for piece in pieces_of(zeros.branches):
-        part = graph.closed_where(piece.equations)
-        if part.is_empty:
-            continue
-        implied = graph.implied(piece.equations, kept)
-        if implied is not None and is_impossible(graph, implied):
-            continue
-        points = part.points or points_where(implied)
-        if points:
-            found.append(TiedPiece(piece, points, inputs_where(graph, implied)))
-        else:
+        there = closed_on(graph, piece.equations, kept)
+        if there.points:
+            inputs = inputs_where(graph, there.implied)
+            found.append(TiedPiece(piece, there.points, inputs))
+        elif not there.never:
             unmet += 1
     reasons = []
     left = [b for b, _ in zeros.open if not _is_shown_empty(graph, b, kept)]
@@ -119,5 +113,4 @@ def _is_shown_empty(
     """Whether it is proved that no closed posture lies on an undecided branch."""
     if not branch.conditions:
         return False
-    implied = graph.implied(branch.conditions, kept)
-    return implied is not None and is_impossible(graph, implied)
+    return closed_on(graph, branch.conditions, kept).never

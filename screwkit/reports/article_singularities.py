@@ -22,6 +22,7 @@ from screwkit.reports.blocks import (
 from screwkit.reports.conditions import (
     Numbered,
     Numbering,
+    at_closed_postures,
     by_number,
     consequence,
     matched,
@@ -221,9 +222,11 @@ def _row(entry: Numbered, numbering: Numbering) -> tuple[Text, ...]:
         ],
         "; ",
     )
-    sentences = [component.geometry or "", consequence(component, numbering.platform)]
-    text = prose("; ".join(sentence for sentence in sentences if sentence))
-    parts: list[Text] = [text]
+    parts: list[Text] = [
+        prose(component.geometry or ""),
+        prose(consequence(component, numbering.platform)),
+        at_closed_postures(component),
+    ]
     if len(pairs) == 1:
         known = numbering.single.get(component.equations[0])
         if known is not None and known.number != entry.number:

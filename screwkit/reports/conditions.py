@@ -30,6 +30,7 @@ from screwkit.results.solution import Solution
 _LETTERS = re.compile(r"[A-Za-z_]\w*")
 _SHORT: Final = 36
 _BEARABLE: Final = 90
+_NOTHING: Final = 1e-9  # of a posture that Newton's steps led to
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,8 +210,22 @@ def consequence(component: Component, platform: str) -> str:
         parts.append(f"{platform} {counted(component.platform_freedom, 'freedom')}")
     if component.mobility is not None:
         parts.append(f"mobility {component.mobility}")
-    said = [", ".join(parts), _example(component)]
-    return "; ".join(filter(None, said))
+    return ", ".join(parts)
+
+
+def at_closed_postures(component: Component) -> Text:
+    """With which driven joint variables loops close there, and an example."""
+    closing: Text = ()
+    if component.closes:
+        relations = [
+            math(solution_text(c.solved) if c.solved else f"{c.equation} = 0")
+            for c in component.closes
+        ]
+        closing = (
+            Words("the loops close there with "),
+            *joined(relations, " or "),
+        )
+    return joined([closing, prose(_example(component))], "; ")
 
 
 def _example(component: Component) -> str:
@@ -219,8 +234,13 @@ def _example(component: Component) -> str:
         return ""
     if not component.example:
         return "no real posture was met there at the values of the file"
-    at = ", ".join(f"{name} = {value:.4g}" for name, value in component.example)
+    at = ", ".join(f"{n} = {_rounded(value)}" for n, value in component.example)
     return f"for example at {at}"
+
+
+def _rounded(value: float) -> str:
+    """To four places, and nothing that is smaller than what a float leaves."""
+    return "0" if abs(value) < _NOTHING else f"{value:.4g}"
 
 
 def condition(entry: Numbered, numbering: Numbering) -> Condition:
@@ -241,7 +261,7 @@ def condition(entry: Numbered, numbering: Numbering) -> Condition:
         value=words(f"rank {component.rank}"),
         meaning=prose(consequence(component, numbering.platform)),
         details=equations(entry, where, earlier),
-        why=why,
+        why=joined([why, at_closed_postures(component)], "; "),
     )
 
 

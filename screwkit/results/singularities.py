@@ -12,6 +12,19 @@ from screwkit.results.superbracket import Superbracket
 
 
 @dataclass(frozen=True)
+class DrivenCondition:
+    """What loops that close on a component ask of the driven joint variables.
+
+    Attributes:
+        equation: Grammar text that vanishes.
+        solved: The same solved for one of them, if that is known.
+    """
+
+    equation: str
+    solved: Solution | None = None
+
+
+@dataclass(frozen=True)
 class Component:
     """An irreducible part of a singular locus.
 
@@ -42,6 +55,7 @@ class Component:
     mobility: int | None = None
     solved: tuple[Solution | None, ...] = ()
     example: tuple[tuple[str, float], ...] | None = None
+    closes: tuple[DrivenCondition, ...] = ()
 
 
 @dataclass(frozen=True)

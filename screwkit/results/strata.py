@@ -78,13 +78,15 @@ class Stratum:
         extra: Those that are no equation of what is around it; empty where it is a
             component itself.
         solved: For each equation a solution, None where there is none.
-        codimension: In the space of the free symbols.
+        codimension: In the space of the free symbols; where loops tie joint variables,
+            among closed postures, by tangents: it may be more.
         state: Generic on it.
         expected: None where nothing is around it.
         differs: Whether ``state`` is not what is ``expected``.
         holds: ``everywhere``: the state is proved the same at all its postures;
             ``generally``: at some it is not; ``undecided``: not known.
-        real: ``proved``: there is a real posture; ``undecided``: none was found.
+        real: ``proved``: there is a real posture; ``met``: Newton's steps led to one,
+            where loops tie joint variables; ``undecided``: none was found.
         posture: One, in numbers, with the dimensions it was found for.
     """
 
@@ -99,7 +101,7 @@ class Stratum:
     expected: ExpectedState | None
     differs: bool
     holds: Literal["everywhere", "generally", "undecided"]
-    real: Literal["proved", "undecided"]
+    real: Literal["proved", "met", "undecided"]
     posture: tuple[tuple[str, float], ...] = ()
 
 
@@ -109,7 +111,8 @@ class Strata:
 
     Attributes:
         together: Sets of up to so many components were intersected.
-        deepest: Intersections up to this codimension were looked for.
+        deepest: Intersections up to this codimension were looked for; all there are
+            where loops tie joint variables.
         generic: At generic postures.
         strata: Those with nothing around them first, then by increasing codimension.
         complete: Whether every intersection of so many of the listed components that

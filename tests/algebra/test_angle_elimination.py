@@ -12,7 +12,7 @@ from loci.numeric import Array, value
 from one_ring import in_one_ring
 
 from screwkit.algebra.angle_elimination import eliminated
-from screwkit.algebra.angle_norms import without_angle
+from screwkit.algebra.angle_norms import Effort, without_angle
 from screwkit.algebra.branches import random_branch_prime
 from screwkit.algebra.no_real_angle import never_met
 from screwkit.algebra.points import residue
@@ -99,7 +99,7 @@ def test_an_angle_is_taken_out_of_a_square_by_one_linear_equation() -> None:
     ring, (linear, square) = in_one_ring(*texts)
     names = [form[0][0] for form in ring.basis]
     p, q = names.index("p"), names.index("q")
-    rest = without_angle(ring, [linear, square], q, 0)
+    rest = without_angle(ring, [linear, square], q, 0, Effort(10_000))
     assert rest is not None
     (left,) = rest
     assert ("angle", q) not in unknowns(ring, left)
