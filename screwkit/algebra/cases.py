@@ -23,9 +23,10 @@ from screwkit.algebra.fixed_directions import (
     parted,
 )
 from screwkit.algebra.implied import LONGEST, eliminants, resolvents
+from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.substitution import reduced
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
 SHORT = 200
 """Terms of a polynomial whose possible factors are kept; they depend on no branch."""
@@ -221,6 +222,44 @@ def implied_cases(
             if all(_is_simple(branch, case) for case in cases):
                 return cases
     return None
+
+
+def implied_products(
+    branch: Branch, library: FactorLibrary, largest: int
+) -> list[Factor] | None:
+    """Factors of what two equations of a branch imply, each simpler than these.
+
+    They need not be solvable.  Of several such products the shortest is taken, none
+    with a factor that is an equation of the branch already.
+    """
+    values = [v for p in branch.pending for v in (p.value, *p.beside) if v != 0]
+    known = {str(primitive(v)) for v in values}
+    found: list[tuple[int, list[Factor]]] = []
+    for one, two in combinations(values, 2):
+        if max(len(one), len(two)) > LONGEST:
+            continue
+        for polynomial in reduced(eliminants(branch.ring, one, two), branch.steps):
+            if polynomial == 0:
+                continue
+            if len(polynomial) > largest:
+                break
+            cases = possible_factors(branch, polynomial, library)
+            parts = [e for case in cases for e in case.equations]
+            if all(_is_simpler(branch.ring, e, one, two) for e in parts) and not any(
+                {str(e) for e in case.equations} <= known for case in cases
+            ):
+                found.append((sum(map(len, parts)), cases))
+    return min(found, key=lambda own: own[0], default=(0, None))[1]
+
+
+def _is_simpler(
+    ring: TrigonometricRing, part: Polynomial, one: Polynomial, two: Polynomial
+) -> bool:
+    """Shorter than either of two equations; or with fewer unknowns, and not longer."""
+    if len(part) < min(len(one), len(two)):
+        return True
+    fewest = min(len(unknowns(ring, one)), len(unknowns(ring, two)))
+    return len(part) <= max(len(one), len(two)) and len(unknowns(ring, part)) < fewest
 
 
 def _is_simple(branch: Branch, case: Factor) -> bool:

@@ -22,6 +22,7 @@ from screwkit.algebra.branches import (
 )
 from screwkit.algebra.cases import (
     implied_cases,
+    implied_products,
     shortest_choice,
     terms_of,
     terms_of_squares,
@@ -29,7 +30,6 @@ from screwkit.algebra.cases import (
 from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.fixed_directions import (
-    Direction,
     is_mixed,
     keeps_directions,
 )
@@ -44,13 +44,14 @@ from screwkit.algebra.search import (
     Decomposition,
     Search,
     are_multiples,
+    before_pending,
     changed_halves,
     may_hide_parts,
     refined,
     replace_steps,
     still_open,
 )
-from screwkit.algebra.splitting import split, split_half_angle
+from screwkit.algebra.splitting import split, split_half_angle, split_system
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.algebra.unshown_parts import parts_beside, settling, told_apart
 
@@ -118,7 +119,10 @@ def _descend(
     if left is None:
         if is_excluded(branch, nonzero) or loses_a_direction(branch):
             return
-        if not _eliminated(branch, polynomials, nonzero, search):
+        if not (
+            _eliminated(branch, polynomials, nonzero, search)
+            or _taken_further(branch, polynomials, nonzero, search)
+        ):
             search.unfinished.append(branch)
         return
     hides = may_hide_parts(branch, search.library)
@@ -136,6 +140,8 @@ def _descend(
         return
     search.budget -= 1 + sum(map(len, left)) // _TERMS_PER_CASE
     if is_mixed(branch) and _eliminated(branch, left, nonzero, search):
+        return
+    if _solved_together(branch, left, nonzero, search):
         return
     terms = None if search.deepest is not None else terms_of_squares(branch, left)
     if terms is not None:
@@ -161,17 +167,30 @@ def _descend(
                 _descend(branch, [*terms, *left], excluded, search)
             continue
         for child in _children(branch, case, left, excluded, search):
-            on_child = replace_steps(child, step := child.steps[len(branch.steps) :])
-            kept = [on_child.value(p) for p in excluded]
-            kept += [s.divisor for s in step if not s.divisor.is_constant()]
-            if any(p == 0 for p in kept):
-                continue
-            _descend(child, [on_child.value(p) for p in left], kept, search)
+            _go_on(branch, child, left, excluded, search)
         if len(case.equations) == 1:
             excluded.append(case.equations[0])
     for direction in free:
-        # There the cases were not searched.
-        _where_free(branch, direction, left, nonzero, search)
+        # There the angle is free, and the cases were not searched.
+        before = without(branch, direction.pending)
+        ends = [direction.across, direction.along]
+        _descend(before, [*ends, *left], [*nonzero], search)
+
+
+def _go_on(
+    branch: Branch,
+    part: Branch,
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> None:
+    """Search a part on which more conditions are solved, where no divisor vanishes."""
+    steps = part.steps[len(branch.steps) :]
+    on_part = replace_steps(part, steps)
+    kept = [on_part.value(p) for p in nonzero]
+    kept += [s.divisor for s in steps if not s.divisor.is_constant()]
+    if all(p != 0 for p in kept):
+        _descend(part, [on_part.value(p) for p in polynomials], kept, search)
 
 
 def _beside_what_is_skipped(
@@ -191,15 +210,13 @@ def _beside_what_is_skipped(
         return True
     systems = left_over(branch, search.inside(branch))
     if systems is not None:
-        before = branch
-        for pending in branch.pending:
-            before = without(before, pending)
+        before, _ = before_pending(branch)
         for system in systems:
             _descend(before, [*system, *polynomials], list(nonzero), search)
         return True
     parts = other_parts(branch, search)
     if parts is None:
-        return False
+        return _taken_further(branch, polynomials, nonzero, search)
     for part in parts:
         on_part = replace_steps(part, part.steps[len(branch.steps) :])
         kept = [on_part.value(p) for p in nonzero]
@@ -216,18 +233,6 @@ def _is_among(
     return any(condition_key(branch.ring, p) == key for p in others if p != 0)
 
 
-def _where_free(
-    branch: Branch,
-    direction: Direction,
-    left: Sequence[Polynomial],
-    nonzero: Sequence[Polynomial],
-    search: Search,
-) -> None:
-    """Go on where the condition of an angle says nothing about it."""
-    before = without(branch, direction.pending)
-    _descend(before, [direction.across, direction.along, *left], [*nonzero], search)
-
-
 def _settle(
     branch: Branch,
     polynomials: Sequence[Polynomial],
@@ -240,10 +245,10 @@ def _settle(
     if _eliminated(branch, polynomials, nonzero, search):
         return
     exact = told_apart(branch, search, common_zeros) if _is_possible(branch) else None
-    if exact is None:
-        search.unfinished.append(branch)
-    else:
+    if exact is not None:
         search.found.append(exact)
+    elif not _taken_further(branch, polynomials, nonzero, search):
+        search.unfinished.append(branch)
 
 
 def _eliminated(
@@ -261,11 +266,54 @@ def _eliminated(
     choice = implied_cases(branch, search.library, search.largest)
     if choice is None:
         return False
+    _on_factors(branch, choice, polynomials, nonzero, search)
+    return True
+
+
+def _taken_further(
+    branch: Branch,
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> bool:
+    """Go on with a branch that would be left open, and whether that is possible."""
+    if not search.further or len(branch.pending) < 2 or search.budget <= 0:
+        return False
+    choice = implied_products(branch, search.library, search.largest)
+    if choice is None:
+        return _solved_together(branch, polynomials, nonzero, search)
+    _on_factors(branch, choice, polynomials, nonzero, search)
+    return True
+
+
+def _solved_together(
+    branch: Branch,
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> bool:
+    """Go on with pending conditions solved together, and where that is not possible."""
+    parts = split_system(branch) if search.further else None
+    if parts is None:
+        return False
     search.budget -= 1
-    before = branch
-    for pending in branch.pending:
-        before = without(before, pending)
-    again = [v for p in branch.pending for v in (p.value, *p.beside) if v != 0]
+    before, again = before_pending(branch)
+    _descend(before, [*parts.left, *again, *polynomials], list(nonzero), search)
+    if parts.solved is not None:
+        _go_on(branch, parts.solved, polynomials, nonzero, search)
+    return True
+
+
+def _on_factors(
+    branch: Branch,
+    choice: Sequence[Factor],
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> None:
+    """Go on where one of some factors vanishes; what is pending is imposed after it."""
+    search.budget -= 1
+    before, again = before_pending(branch)
     again += polynomials
     for case in choice:
         terms = None if search.deepest is not None else terms_of(branch, case)
@@ -274,13 +322,7 @@ def _eliminated(
                 _descend(before, [*terms, *again], list(nonzero), search)
             continue
         for child in restricted(before, case.equations[0], case.equations[1:]):
-            step = child.steps[len(before.steps) :]
-            on_child = replace_steps(child, step)
-            kept = [on_child.value(p) for p in nonzero]
-            kept += [s.divisor for s in step if not s.divisor.is_constant()]
-            if all(p != 0 for p in kept):
-                _descend(child, [on_child.value(p) for p in again], kept, search)
-    return True
+            _go_on(before, child, again, nonzero, search)
 
 
 def _is_possible(branch: Branch) -> bool:

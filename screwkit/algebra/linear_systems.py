@@ -23,6 +23,9 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 LARGEST = 4
 """Conditions that are solved together, at most."""
 
+SHORT = 40
+"""Terms of conditions that are solved for symbols, not at points alone."""
+
 _KNOWN: Final = RememberedColumns[TrigonometricRing, "tuple[LinearSystem, ...]"]()
 
 
@@ -76,6 +79,52 @@ def _found(
         if found:
             break
     return tuple(sorted(found, key=lambda own: (len(own.determinant), own.symbols)))
+
+
+def largest_system(
+    ring: TrigonometricRing, conditions: Sequence[Polynomial], symbols: Sequence[int]
+) -> LinearSystem | None:
+    """As many short conditions as possible that determine as many of some symbols.
+
+    At least two.  Other conditions may contain the symbols too; of several systems the
+    one with the shortest determinant is taken.
+    """
+    places = [k for k, p in enumerate(conditions) if len(p) <= SHORT]
+    for size in range(min(len(places), len(symbols), LARGEST), 1, -1):
+        found = [
+            LinearSystem(own, chosen, whole)
+            for own in combinations(places, size)
+            for chosen in combinations(symbols, size)
+            if all(_is_linear(conditions[k], chosen) for k in own)
+            for whole in [_determinant(ring, [conditions[k] for k in own], chosen)]
+            if whole != 0
+        ]
+        if found:
+            return min(found, key=lambda own: (len(own.determinant), own.symbols))
+    return None
+
+
+def solutions_of(
+    ring: TrigonometricRing, conditions: Sequence[Polynomial], system: LinearSystem
+) -> list[Polynomial]:
+    """The symbols of a system by Cramer's rule, each times its determinant."""
+    own = [conditions[k] for k in system.conditions]
+    zero = {ring.names[symbol]: 0 for symbol in system.symbols}
+    right = [-p.subs(zero) for p in own]
+    columns = [[linear_parts(ring, p, s)[0] for p in own] for s in system.symbols]
+    whole = (1 << len(own)) - 1
+    return [
+        minors_of(ring, [*columns[:k], right, *columns[k + 1 :]]).get(whole, ring.zero)
+        for k in range(len(columns))
+    ]
+
+
+def _is_linear(condition: Polynomial, symbols: Sequence[int]) -> bool:
+    """In some symbols together."""
+    degrees = condition.degrees()
+    if max(degrees[i] for i in symbols) != 1:
+        return False
+    return all(sum(int(e[i]) for i in symbols) <= 1 for e in condition.monoms())
 
 
 def has_solutions(

@@ -54,7 +54,9 @@ class Search:
     their own (Krull), as long as zeros are not replaced by their real ones.  What is
     skipped for its points may have parts, of several pending conditions, that these do
     not show: ``inside`` gives the equations of known sets that the points lie in, and
-    ``surely`` tells that the whole branch lies in one.
+    ``surely`` tells that the whole branch lies in one.  With ``further`` branches that
+    would be left open are gone on with by what two of their equations imply, or by
+    several of these solved together.
     """
 
     library: FactorLibrary
@@ -71,6 +73,7 @@ class Search:
     deepest: int | None = None
     inside: Callable[[Branch], Iterable[Sequence[Polynomial]]] = lambda branch: ()
     surely: Callable[[Branch], bool] = lambda branch: False
+    further: bool = False
 
 
 def may_hide_parts(branch: Branch, library: FactorLibrary) -> bool:
@@ -112,6 +115,18 @@ def irreducible_parts(branch: Branch, search: Search) -> list[Branch]:
     if parts is None:
         return [branch]
     return [inner for part in parts for inner in irreducible_parts(part, search)]
+
+
+def imposed(branch: Branch, equation: Polynomial, search: Search) -> list[Branch]:
+    """The parts of a branch on which an equation of the whole ring holds."""
+    value = branch.value(equation)
+    if value == 0 or branch.vanishes([value]):
+        return [branch]
+    found: list[Branch] = []
+    for case in possible_factors(branch, value, search.library):
+        for part in restricted(branch, case.equations[0], case.equations[1:]):
+            found.extend(irreducible_parts(part, search))
+    return found
 
 
 def refined(branch: Branch, search: Search) -> list[Branch] | None:
@@ -160,6 +175,14 @@ def changed_halves(branch: Branch, search: Search) -> Pending | None:
         if not any({str(primitive(e)) for e in f.equations} == own for f in cases):
             return pending
     return None
+
+
+def before_pending(branch: Branch) -> tuple[Branch, list[Polynomial]]:
+    """The branch before any of its pending conditions, and what these say."""
+    before = branch
+    for pending in branch.pending:
+        before = without(before, pending)
+    return before, [v for p in branch.pending for v in (p.value, *p.beside) if v != 0]
 
 
 def replace_steps(branch: Branch, steps: Sequence[Substitution]) -> Branch:

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch, still_pending
 from screwkit.algebra.elimination import half_angle_solutions
+from screwkit.algebra.linear_systems import largest_system, solutions_of
 from screwkit.algebra.substitution import Substitution, linear_parts
 from screwkit.algebra.trigonometric import Polynomial
 
@@ -78,6 +79,13 @@ def split_half_angle(
     return Split(_after(branch, condition, whole), left)
 
 
+def says_nothing(branch: Branch, polynomial: Polynomial) -> bool:
+    """Whether a polynomial is seen to vanish on all of a branch."""
+    if any(divmod(polynomial, p.value)[1] == 0 for p in branch.pending):
+        return True
+    return bool(branch.points) and branch.vanishes([polynomial])
+
+
 def _after(branch: Branch, condition: Polynomial, step: Substitution) -> Branch | None:
     pending = still_pending(branch, step)
     if pending is None:
@@ -89,3 +97,42 @@ def _after(branch: Branch, condition: Polynomial, step: Substitution) -> Branch 
         pending=pending,
     )
     return None if solved.is_empty else solved
+
+
+def split_system(branch: Branch) -> Split | None:
+    """Solve pending conditions that are linear in as many coordinates together.
+
+    As many as possible, and of these the ones with the shortest determinant; by
+    Cramer's rule, where that is not zero.  Other conditions may contain the same
+    coordinates.
+    """
+    values = [p.value for p in branch.pending if not p.companions]
+    free = [i for i in branch.ring.symbol_indices() if i not in branch.dimensions]
+    system = largest_system(branch.ring, values, free)
+    if system is None or says_nothing(branch, system.determinant):
+        return None
+    own = [p for p in branch.pending if not p.companions]
+    chosen = [own[k] for k in system.conditions]
+    images = solutions_of(branch.ring, values, system)
+    steps = [
+        Substitution(
+            ((symbol, image),),
+            system.determinant,
+            condition=pending.condition,
+            partial=True,
+        )
+        for pending, symbol, image in zip(chosen, system.symbols, images, strict=True)
+    ]
+    others = tuple(p for p in branch.pending if p not in chosen)
+    solved = _after_all(replace(branch, pending=others), steps)
+    return Split(solved, (system.determinant, *(p.value for p in chosen)))
+
+
+def _after_all(branch: Branch, steps: Sequence[Substitution]) -> Branch | None:
+    """A branch by steps that solve conditions which it has already."""
+    for step in steps:
+        pending = still_pending(branch, step)
+        if pending is None:
+            return None
+        branch = replace(branch, steps=(*branch.steps, step), pending=pending)
+    return None if branch.is_empty else branch

@@ -99,6 +99,7 @@ def _is_over_directions(branch: Branch, search: Search, zeros: Zeros) -> bool:
 def settling(branch: Branch, search: Search) -> Search:
     """For parts as large as the branch; smaller ones are no parts of their own."""
     own = Search(search.library, budget=_SETTLING, largest=search.largest)
+    own.further = search.further
     return replace(own, skip=lambda part: part.codimension > branch.codimension)
 
 

@@ -56,6 +56,7 @@ from screwkit.loci.searching_again import searched_again
 from screwkit.loci.strata import in_ring
 from screwkit.loci.unhurried import Unhurried
 from screwkit.loci.wording import equations_of
+from screwkit.loci.wrench_blocks import short_minors
 from screwkit.loci.wrench_sums import height_of
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
@@ -323,11 +324,10 @@ def _exact(
             return False
         return rank_is_lost(state, generic)
 
-    height = height_of(limbs)
-    return with_exact_equations(
-        pieces,
-        Singularity(root, partial(loop_columns, limbs, height), holds_on, library),
-    )
+    columns = partial(loop_columns, limbs, height_of(limbs))
+    minors = partial(short_minors, limbs=limbs, library=library)
+    singular = Singularity(root, columns, holds_on, library, told_on=minors)
+    return with_exact_equations(pieces, singular)
 
 
 def _constraint_proof(drop: LoopDrop) -> str:

@@ -17,7 +17,7 @@ from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.names import counted
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.polynomial_text import text
-from screwkit.algebra.search import Search
+from screwkit.algebra.search import Search, imposed
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.certificates.checking import checked
 from screwkit.certificates.conditions import Problem
@@ -43,7 +43,6 @@ from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.freedoms import JointTwist
 from screwkit.kinematics.placement import joint_twists
 from screwkit.kinematics.whole_graph import WholeGraph
-from screwkit.loci.loop_drop import imposed
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
     ActuationSingularities,

@@ -2,7 +2,8 @@
 
 Links of several limbs that point along lines each fix an angle of their own
 (`algebra.fixed_directions`).  Solved for coordinates of the platform such conditions
-lose that form; where this leaves something undecided they are kept as they are.
+lose that form; where this leaves something undecided they are kept as they are.  Where
+that leaves something too, branches that would stay open are taken further.
 
 References: [CoxLittleOShea] §5.4 (the coordinate ring of a variety).
 """
@@ -21,6 +22,9 @@ from screwkit.loci.dependence import Dependence, dependent_zeros
 _KEPT = 900
 """Case distinctions on a branch where angles are kept."""
 
+_FURTHER = 150
+"""The same where branches that would be left open are taken further."""
+
 
 def zeros_either_way(
     branch: Branch, limbs: Sequence[Parts], search: Search, *, kept_first: bool
@@ -30,8 +34,8 @@ def zeros_either_way(
     Args:
         branch: Irreducible.
         limbs: Parts of each limb, in coordinates that tell their twists apart.
-        search: Budget, known factors, and what to leave out.  Where angles are kept a
-            budget of its own is used.
+        search: Budget, known factors, and what to leave out.  Where angles are kept, or
+            branches taken further, a budget of its own is used.
         kept_first: Keep angles before they are solved; for where this went to the end
             on other branches.
 
@@ -40,7 +44,8 @@ def zeros_either_way(
         whether it is the one that keeps angles.
     """
     if not has_directions_alone(branch):
-        return _zeros(branch, limbs, search), False
+        solved = _zeros(branch, limbs, search)
+        return _further(branch, limbs, search, solved), False
     if kept_first and len(branch.pending) >= SEVERAL:
         found = _with_angles_kept(branch, limbs, search)
         return (_zeros(branch, limbs, search), False) if found.open else (found, True)
@@ -48,7 +53,19 @@ def zeros_either_way(
     if not solved.open:
         return solved, False
     found = _with_angles_kept(branch, limbs, search)
-    return (solved, False) if found.open else (found, True)
+    if not found.open:
+        return found, True
+    return _further(branch, limbs, search, solved), False
+
+
+def _further(
+    branch: Branch, limbs: Sequence[Parts], search: Search, solved: Dependence
+) -> Dependence:
+    """What was solved, or what was found where open branches were taken further."""
+    if not solved.open or search.budget <= 0:
+        return solved
+    found = _zeros(branch, limbs, replace(search, further=True, budget=_FURTHER))
+    return solved if found.open else found
 
 
 def _with_angles_kept(

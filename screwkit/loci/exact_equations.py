@@ -6,8 +6,9 @@ of these vanish at regular postures too.  So do conditions that were solved one 
 the other, each where the coefficient of a symbol is not zero: that coefficient may
 vanish.  All zeros of a piece's equations are taken apart; each part on which nothing is
 singular is excluded, by shorter equations (`shorter_equations`) or by a minor of the
-loop equations that is not zero there.  Where the parts could not be told, or no such
-minor was found, the piece is counted.
+loop equations that is not zero there, or one that tells singular postures where limbs
+keep their ranks.  Where the parts could not be told, or no such minor was found, the
+piece is counted.
 
 References: [CoxLittleOShea] §9.1 (determinantal varieties), §9.4 (dimension of a part
 that so many equations leave).
@@ -27,7 +28,7 @@ from screwkit.algebra.fixed_directions import SEVERAL, fixes_angle
 from screwkit.algebra.minors import minors_of
 from screwkit.algebra.modular import independent
 from screwkit.algebra.points import Point, rank_at, residue
-from screwkit.algebra.search import Search
+from screwkit.algebra.search import Search, imposed
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.errors import TooLargeError
 from screwkit.loci.pieces import Piece
@@ -54,6 +55,8 @@ class Singularity:
         holds_on: Whether it is so in general on a branch with exact points.
         library: Factors met before.
         least: Rank of the columns wherever it is not singular; the generic one if None.
+        told_on: On a branch, polynomials that tell what is singular there; some that
+            vanish on a piece may not on its regular parts.
     """
 
     root: Branch
@@ -61,6 +64,7 @@ class Singularity:
     holds_on: Callable[[Branch], bool]
     library: FactorLibrary
     least: int | None = None
+    told_on: Callable[[Branch], Sequence[Polynomial]] = lambda branch: ()
 
     @cached_property
     def columns(self) -> list[list[Polynomial]]:
@@ -194,6 +198,7 @@ def _excluding(
 ) -> list[Polynomial]:
     """Equations that hold on the piece and fail on each of these parts."""
     extra: list[Polynomial] = []
+    told: list[Polynomial] | None = None
     for part in parts:
         for point, prime in part.points:
             if rank_at(singular.columns, point, prime) < singular.rank:
@@ -203,7 +208,33 @@ def _excluding(
             minor = _minor_at(singular, point, prime)
             if minor is not None:
                 extra.append(_on_piece(minor, piece, singular))
+                continue
+            if told is None:
+                told = _told_beside(piece, singular)
+            extra += [p for p in told if residue(p, point, prime)][:1]
     return extra
+
+
+def _told_beside(piece: Piece, singular: Singularity) -> list[Polynomial]:
+    """What tells singular postures where the piece has its longest equation left out.
+
+    Of that the factors that vanish on the piece, short ones first.
+    """
+    if not all(branch.points for branch in piece.branches):
+        return []
+    longest = max(piece.equations, key=len)
+    search = Search(singular.library)
+    branches: list[Branch] = [singular.root]
+    for equation in piece.equations:
+        if equation is not longest:
+            branches = [b for a in branches for b in imposed(a, equation, search)]
+    found = {
+        str(factor): factor
+        for branch in branches
+        for told in singular.told_on(branch)
+        for factor in vanishing_on(piece, told, singular.root, singular.library)
+    }
+    return sorted(found.values(), key=len)
 
 
 def _on_piece(minor: Polynomial, piece: Piece, singular: Singularity) -> Polynomial:

@@ -16,11 +16,10 @@ from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import TypeAlias
 
-from screwkit.algebra.branches import Branch, restricted
-from screwkit.algebra.cases import possible_factors
+from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.points import rank_at
-from screwkit.algebra.search import Search, irreducible_parts
+from screwkit.algebra.search import Search, imposed
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.kinematics.limb_parts import Parts, motion_at
 from screwkit.kinematics.loop_columns import loop_columns
@@ -324,18 +323,6 @@ def _can_depend(chosen: Sequence[Stratum], walk: _Walk) -> bool:
     if walk.generic.inner or walk.generic.loop < walk.height * (len(walk.limbs) - 1):
         return True
     return sum(stratum.rank < walk.height for stratum in chosen) > 1
-
-
-def imposed(branch: Branch, equation: Polynomial, search: Search) -> list[Branch]:
-    """The parts of a branch on which an equation of the whole ring holds."""
-    value = branch.value(equation)
-    if value == 0 or branch.vanishes([value]):
-        return [branch]
-    found: list[Branch] = []
-    for case in possible_factors(branch, value, search.library):
-        for part in restricted(branch, case.equations[0], case.equations[1:]):
-            found.extend(irreducible_parts(part, search))
-    return found
 
 
 def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:

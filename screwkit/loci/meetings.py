@@ -15,10 +15,9 @@ from dataclasses import dataclass, field, replace
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros, other_parts
 from screwkit.algebra.no_real_angle import never_met
-from screwkit.algebra.search import Search
+from screwkit.algebra.search import Search, imposed
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.loci.lifting import with_sheets_together
-from screwkit.loci.loop_drop import imposed
 from screwkit.loci.pieces import Piece, is_part, pieces_of, sheets_of
 
 BRANCHES = 64

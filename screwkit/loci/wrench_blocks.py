@@ -19,12 +19,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.projections import normal_of, projection
 from screwkit.algebra.search import Search
 from screwkit.algebra.substitution import substituted
 from screwkit.algebra.trigonometric import Polynomial, content
+from screwkit.errors import TooLargeError
 from screwkit.kinematics.limb_parts import (
     Parts,
     SideBySide,
@@ -36,7 +38,7 @@ from screwkit.loci.limb_extensors import Minor, primitive_extensor
 from screwkit.loci.limb_systems import Extensor, UnclearError, limb_system
 from screwkit.loci.rank_drop import extensors
 from screwkit.loci.shorter_equations import differences
-from screwkit.loci.wrench_sums import wrenches_overlap
+from screwkit.loci.wrench_sums import height_of, telling_minors, wrenches_overlap
 from screwkit.loci.wrench_vectors import Vector, overlap_minors, spanning_wrenches
 
 _DEAREST = 3_000_000  # products of terms in a minor of a block
@@ -76,6 +78,23 @@ def block_minors(
         return None
     found = list(_alternatives(branch, vectors, at, search))
     return found if all(found) else None
+
+
+def short_minors(
+    branch: Branch, limbs: Sequence[Parts], library: FactorLibrary
+) -> Sequence[Polynomial]:
+    """That vanish where limbs become dependent, of those that keep their ranks.
+
+    Of blocks, if there are any; none where all are too long.
+    """
+    search = Search(library)
+    lists = block_minors(branch, limbs, height_of(limbs), search)
+    if lists:
+        return [minor for minors in lists for minor in minors]
+    try:
+        return telling_minors(branch, limbs, search, within=True) or ()
+    except TooLargeError:
+        return ()
 
 
 def wrenches_on(

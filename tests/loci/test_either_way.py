@@ -26,11 +26,11 @@ from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.fixed_directions import fixed_directions, parted
 from screwkit.algebra.polynomial_text import text
-from screwkit.algebra.search import Search
+from screwkit.algebra.search import Search, imposed
 from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.loci.either_way import zeros_either_way
 from screwkit.loci.exact_equations import Singularity, with_exact_equations
-from screwkit.loci.loop_drop import imposed, loop_state, rank_is_lost
+from screwkit.loci.loop_drop import loop_state, rank_is_lost
 from screwkit.loci.pieces import Piece
 from screwkit.loci.strata import in_ring, limb_strata
 from screwkit.loci.wrench_blocks import block_minors

@@ -382,8 +382,10 @@ def parallel_forearms() -> Iterator[dict[str, float]]:
 
 def test_two_forearms_of_a_delta_in_line_with_their_arms() -> None:
     found = answer("delta_4r").constraint
-    assert not found.complete
-    assert "of codimension 4 or more" in found.reason
+    assert found.complete
+    # Of each pair equal arms, crossed ones, and four ways to lie flat; all arms flat;
+    # all outstretched with their forearms parallel to one plane.
+    assert [c.codimension for c in found.components] == [4] * (3 * 6 + 2)
     for posture in parallel_forearms():
         given = drawn("delta_4r", 5) | posture
         on = [

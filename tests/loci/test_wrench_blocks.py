@@ -18,12 +18,11 @@ from loci.numeric import Array, value
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.polynomial_text import text
-from screwkit.algebra.search import Search
+from screwkit.algebra.search import Search, imposed
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.limb_parts import Parts
 from screwkit.kinematics.told_parts import told_parts
 from screwkit.loci.dependence import Dependence, dependent_zeros
-from screwkit.loci.loop_drop import imposed
 from screwkit.loci.strata import Stratum, in_ring, limb_strata
 from screwkit.loci.wrench_blocks import block_minors
 from screwkit.loci.wrench_sums import loop_rank_at
