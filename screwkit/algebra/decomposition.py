@@ -50,6 +50,7 @@ from screwkit.algebra.search import (
     replace_steps,
     still_open,
 )
+from screwkit.algebra.special_parts import parts_beside_special
 from screwkit.algebra.splitting import split, split_half_angle
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.algebra.unshown_parts import parts_beside, settling, told_apart
@@ -103,7 +104,7 @@ def _descend(
                 _descend(part, moved, kept, search)
         return
     if branch.is_special:
-        search.special.append(branch)
+        _beside_what_is_special(branch, polynomials, nonzero, search)
         return
     if search.deepest is not None and branch.codimension > search.deepest:
         return
@@ -200,12 +201,42 @@ def _beside_what_is_skipped(
     parts = other_parts(branch, search)
     if parts is None:
         return False
+    _descend_parts(branch, parts, polynomials, nonzero, search)
+    return True
+
+
+def _beside_what_is_special(
+    branch: Branch,
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> None:
+    """Go on with parts of a branch that tie no dimensions, if it has such parts."""
+    search.special.append(branch)
+    if len(branch.pending) < 2 or (
+        search.deepest is not None and branch.codimension > search.deepest
+    ):
+        return
+    search.budget -= 1
+    parts = beside_special(branch, search) if search.budget > 0 else None
+    if parts is None:
+        search.unfinished.append(branch)
+    else:
+        _descend_parts(branch, parts, polynomials, nonzero, search)
+
+
+def _descend_parts(
+    branch: Branch,
+    parts: Sequence[Branch],
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> None:
     for part in parts:
         on_part = replace_steps(part, part.steps[len(branch.steps) :])
         kept = [on_part.value(p) for p in nonzero]
         if all(p != 0 for p in kept):
             _descend(part, [on_part.value(p) for p in polynomials], kept, search)
-    return True
 
 
 def _is_among(
@@ -293,6 +324,11 @@ def _is_possible(branch: Branch) -> bool:
 def other_parts(branch: Branch, search: Search) -> tuple[Branch, ...] | None:
     """Parts of a branch that its points do not show (`unshown_parts.parts_beside`)."""
     return parts_beside(branch, search, common_zeros)
+
+
+def beside_special(branch: Branch, search: Search) -> tuple[Branch, ...] | None:
+    """The same of a special one: `special_parts.parts_beside_special`."""
+    return parts_beside_special(branch, search, common_zeros)
 
 
 def _children(

@@ -18,7 +18,7 @@ from typing import TypeAlias
 
 from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.cases import possible_factors
-from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.decomposition import beside_special, common_zeros
 from screwkit.algebra.points import rank_at
 from screwkit.algebra.search import Search, irreducible_parts
 from screwkit.algebra.trigonometric import Polynomial
@@ -293,8 +293,20 @@ def _visit(root: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         # Where a divisor or the length of an axis is zero there is nothing to look at.
         if any(divisor == 0 for divisor in branch.divisors):
             continue
-        if not branch.is_special and not walk.known(branch):
-            _examine(branch, chosen, walk)
+        for part in _untied(branch, walk):
+            if not walk.known(part):
+                _examine(part, chosen, walk)
+
+
+def _untied(branch: Branch, walk: _Walk) -> Sequence[Branch]:
+    """The branch, or what of it ties no dimensions."""
+    if not branch.is_special:
+        return [branch]
+    parts = beside_special(branch, walk.search)
+    if parts is None:
+        walk.open.append(branch)
+        return []
+    return [inner for part in parts for inner in _untied(part, walk)]
 
 
 def _branches_where(
