@@ -327,7 +327,7 @@ def other_parts(branch: Branch, search: Search) -> tuple[Branch, ...] | None:
 
 
 def beside_special(branch: Branch, search: Search) -> tuple[Branch, ...] | None:
-    """The same of a special one: `special_parts.parts_beside_special`."""
+    """All of its size that are not special; None where it could not be settled."""
     return parts_beside_special(branch, search, common_zeros)
 
 

@@ -19,21 +19,49 @@ from screwkit.algebra.search import Search, irreducible_parts, replace_steps
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.algebra.unshown_parts import SETTLING, Zeros, settling
 
+_SEEN = 12
+"""Special branches, met one beside the other, that are taken for one."""
+
 
 def parts_beside_special(
     branch: Branch, search: Search, zeros: Zeros
 ) -> tuple[Branch, ...] | None:
+    """Parts of the size of a special branch that are not special.
+
+    Args:
+        branch: Special at its points.
+        search: Known factors.
+        zeros: `decomposition.common_zeros`.
+
+    Returns:
+        None where it could not be settled whether these are all.
+    """
+    if not search.inner:
+        return () if len(branch.pending) < 2 else None
+    own = replace(search, inner=search.inner - 1)
+    found: list[Branch] = []
+    seen: list[Branch] = []
+    waiting = [branch]
+    while waiting:
+        here = waiting.pop()
+        if any(here.texts == b.texts and here.sheets == b.sheets for b in seen):
+            continue
+        seen.append(here)
+        parts = _beside(here, own, zeros)
+        if parts is None or len(seen) > _SEEN:
+            return None
+        waiting += [part for part in parts if part.is_special]
+        found += [part for part in parts if not part.is_special]
+    return tuple(found)
+
+
+def _beside(branch: Branch, search: Search, zeros: Zeros) -> tuple[Branch, ...] | None:
     """Parts of the size of a special branch that its points do not show.
 
     A condition with an unknown of its own, that is no dimension, ties the same
     dimensions as the others do, but where all its coefficients in that unknown vanish.
     Conditions that give some symbols together are a graph over the others, one part
     where these are, but where their determinant vanishes.
-
-    Args:
-        branch: Special at its points.
-        search: Known factors.
-        zeros: `decomposition.common_zeros`.
 
     Returns:
         Among them are all that are not special; None where that could not be settled.
@@ -75,7 +103,7 @@ def _beside_a_root(
     before = without(branch, pending)
     if not before.points or not before.is_special:
         return None
-    inner = parts_beside_special(before, search, zeros)
+    inner = _beside(before, search, zeros)
     if inner is None:
         return None
     coefficients = coefficients_in(branch.ring, pending.value, unknown)

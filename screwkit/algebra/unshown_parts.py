@@ -98,7 +98,9 @@ def _is_over_directions(branch: Branch, search: Search, zeros: Zeros) -> bool:
 
 def settling(branch: Branch, search: Search) -> Search:
     """For parts as large as the branch; smaller ones are no parts of their own."""
-    own = Search(search.library, budget=SETTLING, largest=search.largest)
+    own = Search(
+        search.library, budget=SETTLING, largest=search.largest, inner=search.inner
+    )
     return replace(own, skip=lambda part: part.codimension > branch.codimension)
 
 

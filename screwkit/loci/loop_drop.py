@@ -306,7 +306,7 @@ def _untied(branch: Branch, walk: _Walk) -> Sequence[Branch]:
     if parts is None:
         walk.open.append(branch)
         return []
-    return [inner for part in parts for inner in _untied(part, walk)]
+    return parts
 
 
 def _branches_where(
