@@ -12,14 +12,13 @@ References: [CoxLittleOShea] §4.6 (decomposition into irreducibles).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from screwkit.algebra.branches import (
     Branch,
-    is_solvable,
     restricted,
     without,
 )
+from screwkit.algebra.case_parts import is_among, parts_where
 from screwkit.algebra.cases import (
     implied_cases,
     implied_products,
@@ -27,11 +26,9 @@ from screwkit.algebra.cases import (
     terms_of,
     terms_of_squares,
 )
-from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.fixed_directions import (
     is_mixed,
-    keeps_directions,
 )
 from screwkit.algebra.nowhere_zero import (
     is_excluded,
@@ -51,9 +48,10 @@ from screwkit.algebra.search import (
     replace_steps,
     still_open,
 )
-from screwkit.algebra.splitting import split, split_half_angle, split_system
+from screwkit.algebra.special_parts import parts_beside_special
+from screwkit.algebra.splitting import split_system
 from screwkit.algebra.trigonometric import Polynomial
-from screwkit.algebra.unshown_parts import parts_beside, settling, told_apart
+from screwkit.algebra.unshown_parts import parts_beside, told_apart
 
 _TERMS_PER_CASE = 80  # longer polynomials use up more of the budget
 
@@ -104,7 +102,7 @@ def _descend(
                 _descend(part, moved, kept, search)
         return
     if branch.is_special:
-        search.special.append(branch)
+        _beside_what_is_special(branch, polynomials, nonzero, search)
         return
     if search.deepest is not None and branch.codimension > search.deepest:
         return
@@ -157,7 +155,7 @@ def _descend(
         direction
         for direction in choice.directions
         # Where it is known not to be (0, 0) there is nothing.
-        if not _is_among(branch, direction.square(branch.ring), nonzero)
+        if not is_among(branch, direction.square(branch.ring), nonzero)
     ]
     excluded = [*nonzero, *(d.square(branch.ring) for d in free)]
     for case in choice.cases:
@@ -166,7 +164,10 @@ def _descend(
             if all(t != 1 for t in terms):
                 _descend(branch, [*terms, *left], excluded, search)
             continue
-        for child in _children(branch, case, left, excluded, search):
+        held = parts_where(branch, case, left, search, common_zeros)
+        if held.rest is not None:
+            _descend(branch, [*held.rest, *left], list(excluded), search)
+        for child in held.parts:
             _go_on(branch, child, left, excluded, search)
         if len(case.equations) == 1:
             excluded.append(case.equations[0])
@@ -217,20 +218,42 @@ def _beside_what_is_skipped(
     parts = other_parts(branch, search)
     if parts is None:
         return _taken_further(branch, polynomials, nonzero, search)
+    _descend_parts(branch, parts, polynomials, nonzero, search)
+    return True
+
+
+def _beside_what_is_special(
+    branch: Branch,
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> None:
+    """Go on with parts of a branch that tie no dimensions, if it has such parts."""
+    search.special.append(branch)
+    if len(branch.pending) < 2 or (
+        search.deepest is not None and branch.codimension > search.deepest
+    ):
+        return
+    search.budget -= 1
+    parts = beside_special(branch, search) if search.budget > 0 else None
+    if parts is None:
+        search.unfinished.append(branch)
+    else:
+        _descend_parts(branch, parts, polynomials, nonzero, search)
+
+
+def _descend_parts(
+    branch: Branch,
+    parts: Sequence[Branch],
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
+) -> None:
     for part in parts:
         on_part = replace_steps(part, part.steps[len(branch.steps) :])
         kept = [on_part.value(p) for p in nonzero]
         if all(p != 0 for p in kept):
             _descend(part, [on_part.value(p) for p in polynomials], kept, search)
-    return True
-
-
-def _is_among(
-    branch: Branch, polynomial: Polynomial, others: Sequence[Polynomial]
-) -> bool:
-    """Whether a polynomial is among others, up to a constant."""
-    key = condition_key(branch.ring, polynomial)
-    return any(condition_key(branch.ring, p) == key for p in others if p != 0)
 
 
 def _settle(
@@ -337,64 +360,6 @@ def other_parts(branch: Branch, search: Search) -> tuple[Branch, ...] | None:
     return parts_beside(branch, search, common_zeros)
 
 
-def _children(
-    branch: Branch,
-    case: Factor,
-    left: Sequence[Polynomial],
-    nonzero: Sequence[Polynomial],
-    search: Search,
-) -> list[Branch]:
-    """The parts of the branch where a condition holds.
-
-    Where it is solved for a symbol under the proviso that a coefficient is not zero,
-    the rest is searched at once.
-    """
-    condition, companions = case.equations[0], case.equations[1:]
-    if companions:
-        whole = restricted(branch, condition, companions)
-        if not whole or len(whole[0].pending) <= len(branch.pending):
-            return whole
-        parts = None
-        if not branch.pending:
-            parts = split_half_angle(branch, condition, companions)
-        # Of a divisor that is among what is asked the rest is all there is.
-        if parts is None or _is_among(branch, parts.left[0], left):
-            return whole
-        _descend(branch, [*parts.left, *left], list(nonzero), search)
-        return [] if parts.solved is None else [parts.solved]
-    at_once = branch.pending or search.deepest is not None
-    if keeps_directions(branch, condition, left):
-        at_once = False
-    if at_once and not is_solvable(branch, condition):
-        parts = split(branch, condition)
-        if parts is not None:
-            solved = parts.solved
-            if solved is not None:
-                on_child = replace_steps(branch, solved.steps[len(branch.steps) :])
-                remaining = [on_child.value(p) for p in left]
-                if still_open(solved, remaining, search) == []:
-                    # Of the rest only a part as large is no limit of the solved one.
-                    return [solved, *_as_large(branch, solved, parts.left, search)]
-            _descend(branch, [*parts.left, *left], list(nonzero), search)
-            return [] if solved is None else [solved]
-    return restricted(branch, condition)
-
-
-def _as_large(
-    branch: Branch, solved: Branch, left: Sequence[Polynomial], search: Search
-) -> list[Branch]:
-    """Parts of the rest that are no limits of the solved part: those of its size."""
-    size = solved.codimension
-    inner = settling(solved, search)
-    rest = common_zeros(replace(branch, thorough=True), left, inner)
-    found = [b for b in rest.branches if b.codimension <= size]
-    for b in rest.open:
-        if b.codimension > size or search.skip(b):
-            continue
-        whole = b.points and not any(residue(p, *at) for at in b.points for p in left)
-        # With several pending conditions it may consist of parts, some of them zeros.
-        if b.codimension == size and whole:
-            found.append(b)
-        elif b.codimension < size or not b.points or len(b.pending) > 1:
-            search.unfinished.append(b)
-    return found
+def beside_special(branch: Branch, search: Search) -> tuple[Branch, ...] | None:
+    """All of its size that are not special; None where it could not be settled."""
+    return parts_beside_special(branch, search, common_zeros)

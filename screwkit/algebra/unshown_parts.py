@@ -22,7 +22,7 @@ from screwkit.algebra.points_on import coefficients_in, unknowns
 from screwkit.algebra.search import Decomposition, Search, replace_steps
 from screwkit.algebra.trigonometric import Polynomial
 
-_SETTLING = 60  # case distinctions to tell a branch from spurious zeros
+SETTLING = 60  # case distinctions to tell a branch from spurious zeros
 
 Zeros: TypeAlias = Callable[[Branch, Sequence[Polynomial], Search], Decomposition]
 """Common zeros on a branch: `decomposition.common_zeros`, which asks here in turn."""
@@ -98,7 +98,9 @@ def _is_over_directions(branch: Branch, search: Search, zeros: Zeros) -> bool:
 
 def settling(branch: Branch, search: Search) -> Search:
     """For parts as large as the branch; smaller ones are no parts of their own."""
-    own = Search(search.library, budget=_SETTLING, largest=search.largest)
+    own = Search(
+        search.library, budget=SETTLING, largest=search.largest, inner=search.inner
+    )
     own.further = search.further
     return replace(own, skip=lambda part: part.codimension > branch.codimension)
 
@@ -121,7 +123,7 @@ def _beside_a_system(
         vanishing = [system.determinant, *(values[k] for k in system.conditions)]
         for p in before.pending:
             vanishing += [vanishing[0] - p.value, vanishing[0] + p.value]
-        own = replace(settling(branch, search), budget=4 * _SETTLING)
+        own = replace(settling(branch, search), budget=4 * SETTLING)
         spurious = zeros(before, vanishing, own)
         if spurious.complete:
             return spurious.branches

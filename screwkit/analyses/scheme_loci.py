@@ -9,9 +9,12 @@ from fractions import Fraction
 from itertools import islice
 
 from screwkit.algebra.branches import restricted
+from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factors import Factor, Factored, factor
 from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import equation_text
+from screwkit.algebra.real_zeros import vanishing_together
+from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import primitive
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.hybrid_actuation import hybrid_actuation_locus
@@ -25,6 +28,8 @@ from screwkit.results.schemes import LocusFactor
 
 _NAMED = 80  # terms; no statement of the catalogue is longer
 _LOOKED_AT = 60  # minors of one scheme
+
+_REAL = 40  # case distinctions for the real zeros of a factor
 
 STRATA = 100_000
 """Terms of minors that the strata of one scheme count as; they take as long."""
@@ -51,6 +56,7 @@ class LociOfSchemes:
     left_out: set[str] = field(default_factory=set)
     tables: dict[str, list[Ranks]] = field(default_factory=dict)
     vanishing: dict[str, bool] = field(default_factory=dict)
+    real: dict[str, list[list[Ranks]]] = field(default_factory=dict)
     factored: dict[str, Content] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -184,10 +190,33 @@ class LociOfSchemes:
         """
         if len(self._limbs_in(f)) > 1:
             return False
-        tables = self._tables_on(f)
-        return bool(tables) and any(
-            table.state(passive).platform_freedom == 0 for table in tables
+        pieces = self._real_tables_on(f) or [self._tables_on(f)]
+        return all(
+            any(table.state(passive).platform_freedom == 0 for table in tables)
+            for tables in pieces
         )
+
+    def _real_tables_on(self, f: Factor) -> list[list[Ranks]]:
+        """Ranks where a factor that keeps its sign has real zeros, piece by piece.
+
+        These are smaller than its zeros are, and more may move there.  None of another
+        factor, or where they were not all found.
+        """
+        if f.key in self.real:
+            return self.real[f.key]
+        terms = None
+        if len(f.equations) == 1:
+            signs = self.root.assumptions
+            terms = vanishing_together(self.ring, signs, f.equations[0])
+        self.real[f.key] = []
+        if terms is not None:
+            zeros = common_zeros(self.root, terms, Search(self.library, budget=_REAL))
+            if zeros.complete and all(branch.points for branch in zeros.branches):
+                self.real[f.key] = [
+                    [self.system.table_at(*point) for point in branch.points]
+                    for branch in zeros.branches
+                ]
+        return self.real[f.key]
 
     def _limbs_in(self, f: Factor) -> set[int]:
         """Numbers of the limbs whose joint variables occur in a factor."""

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.cases import is_too_long
-from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.decomposition import beside_special, common_zeros
 from screwkit.algebra.search import Search
 from screwkit.algebra.taken_apart import Apart, taken_apart
 from screwkit.errors import TooLargeError
@@ -201,7 +201,11 @@ class _Zeros:
             return None
         found: list[Branch] = []
         for part in apart.parts:
-            if part.is_special or self.search.skip(part):
+            if self.search.skip(part):
+                continue
+            if part.is_special:
+                if beside_special(part, self.search) != ():
+                    return None
                 continue
             if not part.points:
                 return None

@@ -17,7 +17,7 @@ from itertools import product
 from typing import TypeAlias
 
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.decomposition import beside_special, common_zeros
 from screwkit.algebra.points import rank_at
 from screwkit.algebra.search import Search, imposed
 from screwkit.algebra.trigonometric import Polynomial
@@ -292,8 +292,20 @@ def _visit(root: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         # Where a divisor or the length of an axis is zero there is nothing to look at.
         if any(divisor == 0 for divisor in branch.divisors):
             continue
-        if not branch.is_special and not walk.known(branch):
-            _examine(branch, chosen, walk)
+        for part in _untied(branch, walk):
+            if not walk.known(part):
+                _examine(part, chosen, walk)
+
+
+def _untied(branch: Branch, walk: _Walk) -> Sequence[Branch]:
+    """The branch, or what of it ties no dimensions."""
+    if not branch.is_special:
+        return [branch]
+    parts = beside_special(branch, walk.search)
+    if parts is None:
+        walk.open.append(branch)
+        return []
+    return parts
 
 
 def _branches_where(

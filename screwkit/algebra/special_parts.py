@@ -1,0 +1,146 @@
+"""Parts of a branch that tie no dimensions, although its points lie on one that does.
+
+Several conditions can be homogeneous in lengths of the posture and in a difference of
+dimensions (z, x and a − b): all vanish where these do, and points are drawn there.
+Where their determinant vanishes other postures meet them, at any dimensions.
+
+References: [CoxLittleOShea] §4.6 (decomposition into irreducibles).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from screwkit.algebra.branches import Branch, Pending, restricted, without
+from screwkit.algebra.linear_systems import LinearSystem, linear_systems
+from screwkit.algebra.points import residue
+from screwkit.algebra.points_on import Unknown, coefficients_in, unknowns
+from screwkit.algebra.search import Search, irreducible_parts, replace_steps
+from screwkit.algebra.trigonometric import Polynomial
+from screwkit.algebra.unshown_parts import SETTLING, Zeros, settling
+
+_SEEN = 12
+"""Special branches, met one beside the other, that are taken for one."""
+
+
+def parts_beside_special(
+    branch: Branch, search: Search, zeros: Zeros
+) -> tuple[Branch, ...] | None:
+    """Parts of the size of a special branch that are not special.
+
+    Args:
+        branch: Special at its points.
+        search: Known factors.
+        zeros: `decomposition.common_zeros`.
+
+    Returns:
+        None where it could not be settled whether these are all.
+    """
+    if not search.inner:
+        return () if len(branch.pending) < 2 else None
+    own = replace(search, inner=search.inner - 1)
+    found: list[Branch] = []
+    seen: list[Branch] = []
+    waiting = [branch]
+    while waiting:
+        here = waiting.pop()
+        if any(here.texts == b.texts and here.sheets == b.sheets for b in seen):
+            continue
+        seen.append(here)
+        parts = _beside(here, own, zeros)
+        if parts is None or len(seen) > _SEEN:
+            return None
+        waiting += [part for part in parts if part.is_special]
+        found += [part for part in parts if not part.is_special]
+    return tuple(found)
+
+
+def _beside(branch: Branch, search: Search, zeros: Zeros) -> tuple[Branch, ...] | None:
+    """Parts of the size of a special branch that its points do not show.
+
+    A condition with an unknown of its own, that is no dimension, ties the same
+    dimensions as the others do, but where all its coefficients in that unknown vanish.
+    Conditions that give some symbols together are a graph over the others, one part
+    where these are, but where their determinant vanishes.
+
+    Returns:
+        Among them are all that are not special; None where that could not be settled.
+    """
+    if len(branch.pending) < 2:
+        return ()
+    for pending in branch.pending:
+        for unknown in _own_unknowns(branch, pending):
+            found = _beside_a_root(branch, pending, unknown, search, zeros)
+            if found is not None:
+                return found
+    for system in linear_systems(branch.ring, [p.value for p in branch.pending]):
+        found = _beside_a_graph(branch, system, search, zeros)
+        if found is not None:
+            return found
+    return None
+
+
+def _own_unknowns(branch: Branch, pending: Pending) -> list[Unknown]:
+    """Unknowns of one condition that are no dimensions and in no other condition."""
+    if pending.beside:
+        return []
+    ring = branch.ring
+    others = {
+        unknown
+        for p in branch.pending
+        if p is not pending
+        for value in (p.value, *p.beside)
+        for unknown in unknowns(ring, value)
+    }
+    dimensions = {("x", index) for index in branch.dimensions}
+    own = unknowns(ring, pending.value)
+    return [u for u in own if u not in others and u not in dimensions]
+
+
+def _beside_a_root(
+    branch: Branch, pending: Pending, unknown: Unknown, search: Search, zeros: Zeros
+) -> tuple[Branch, ...] | None:
+    before = without(branch, pending)
+    if not before.points or not before.is_special:
+        return None
+    inner = _beside(before, search, zeros)
+    if inner is None:
+        return None
+    coefficients = coefficients_in(branch.ring, pending.value, unknown)
+    free = zeros(before, coefficients, settling(branch, search))
+    if not free.complete:
+        return None
+    found = list(free.branches)
+    for part in inner:
+        value = replace_steps(part, part.steps[len(before.steps) :]).value(
+            pending.value
+        )
+        if value == 0 or part.vanishes([value]):
+            return None
+        split = replace(search, found=[], unfinished=[], special=[])
+        for piece in restricted(part, value):
+            found += irreducible_parts(piece, split)
+        if split.unfinished:
+            return None
+    return tuple(found)
+
+
+def _beside_a_graph(
+    branch: Branch, system: LinearSystem, search: Search, zeros: Zeros
+) -> tuple[Branch, ...] | None:
+    held = [branch.pending[k] for k in system.conditions]
+    if any(p.beside for p in branch.pending):
+        return None
+    if not all(residue(system.determinant, *at) for at in branch.points):
+        return None
+    before = branch
+    for pending in held:
+        before = without(before, pending)
+    if len(before.pending) > 1:
+        return None
+    vanishing: list[Polynomial] = [system.determinant, *(p.value for p in held)]
+    for p in before.pending:
+        vanishing += [vanishing[0] - p.value, vanishing[0] + p.value]
+    own = replace(settling(branch, search), budget=4 * SETTLING)
+    found = zeros(before, vanishing, own)
+    return found.branches if found.complete else None
