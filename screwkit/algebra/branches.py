@@ -228,7 +228,8 @@ class Branch:
         names = angles_in_numbers(self.ring, self.steps, point, source, prime)
         if names is None:
             return None
-        values = [p.value.subs(names) for p in self.pending]  # no number is moved
+        put_in = (p.value.subs(names) for p in self.pending)  # no number is moved
+        values = [value for value in put_in if value != 0]
         nonzero = self.nonzero
         solved = moved_onto(
             self.ring,

@@ -1,6 +1,7 @@
 """Numbers in the place of closed expressions: is an axis zero, is a length positive.
 
-Only checks of files use these floats; no exact result rests on them.
+Checks of files use these floats, and solutions that are shown: a value that is far from
+any cosine is left out. No exact result rests on them.
 """
 
 from __future__ import annotations
@@ -20,7 +21,10 @@ from screwkit.algebra.expression import (
     Sum,
     Symbol,
 )
+from screwkit.algebra.limits import RESULT_LIMITS
+from screwkit.algebra.parse import parse
 
+_NEAR: Final = 1e-9  # what floats may be wrong by
 _FUNCTIONS: Final[dict[str, Callable[..., float]]] = {
     "sin": math.sin,
     "cos": math.cos,
@@ -49,6 +53,18 @@ def closed_value(expression: Expression) -> float | None:
     except (ValueError, OverflowError, ZeroDivisionError, KeyError):
         return None
     return value if math.isfinite(value) else None
+
+
+def may_be_cosine(text: str) -> bool:
+    """Whether a text may be the cosine of a real angle; kept where floats do not tell.
+
+    >>> may_be_cosine("1/3 + sqrt(2)"), may_be_cosine("1/3 - sqrt(2)/2")
+    (False, True)
+    >>> may_be_cosine("x + 7")
+    True
+    """
+    value = closed_value(parse(text, limits=RESULT_LIMITS))
+    return value is None or abs(value) < 1 + _NEAR
 
 
 def _value(expression: Expression) -> float:

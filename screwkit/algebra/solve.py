@@ -14,6 +14,8 @@ from fractions import Fraction
 
 from screwkit.algebra.angles import Merged, merged, natural
 from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.closed_roots import closed_roots
+from screwkit.algebra.closed_values import may_be_cosine
 from screwkit.algebra.constant_multiples import inverse, is_number
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.half_angle import Form, HalfAngles
@@ -27,7 +29,11 @@ from screwkit.algebra.solved_text import (
     root_of_square,
     short_slices,
 )
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.algebra.trigonometric import (
+    Polynomial,
+    TrigonometricRing,
+    as_fraction,
+)
 
 LONGEST_TEXT = 300  # characters of one branch
 
@@ -274,9 +280,10 @@ def _quadratic(
             c, b, a = (
                 _at(ring, slices, *((0, k) if place else (k, 0))) for k in range(3)
             )
-            cores = [
-                AngleValue(f"{name}({text})") for text in _roots(ring, short, a, b, c)
-            ]
+            roots = _roots(ring, short, a, b, c)
+            cores = [AngleValue(f"{name}({x})") for x in roots if may_be_cosine(x)]
+            if not cores:
+                return None
             seconds = [-core if place else (-core).plus(1) for core in cores]
             pairs = zip(cores, seconds, strict=True)
             return [v for pair in pairs for v in pair], "2*pi"
@@ -321,7 +328,9 @@ def _symbols(
 def _roots(
     ring: TrigonometricRing, short: Merged, a: Polynomial, b: Polynomial, c: Polynomial
 ) -> list[str]:
-    """Both roots of ax² + bx + c."""
+    """Both roots of ax² + bx + c; of numbers those that are real."""
+    if a.is_constant() and b.is_constant() and c.is_constant():
+        return list(closed_roots([as_fraction(k) for k in (c, b, a)]))
     if _text(ring, short, a).startswith("-"):
         a, b, c = -a, -b, -c
     if b == 0:

@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
+from screwkit.algebra.points import Point
 from screwkit.algebra.points_on import Unknown
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.solve import solutions
@@ -31,7 +32,7 @@ from screwkit.loci.closed_pieces import TiedLocus, TiedPiece
 from screwkit.loci.graph_witness import GraphWitnesses
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece
-from screwkit.loci.tied_loci import columns_locus, loop_locus
+from screwkit.loci.tied_loci import columns_locus, limb_locus, loop_locus
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
     ActuationSingularities,
@@ -43,6 +44,7 @@ from screwkit.results.singularities import (
 )
 from screwkit.results.solution import Solution
 
+_INSIDE = "it may lose freedoms inside conditions on which its loops become dependent"
 _LONG = 160  # characters of a condition that is written though it is not solved
 
 
@@ -107,33 +109,33 @@ def _size(graph: TiedGraph) -> int:
 
 
 def _limb(graph: TiedGraph, number: int, kept: Sequence[Unknown]) -> LimbSingularities:
-    """Where the twists of a serial limb lose rank at closed postures."""
+    """Where a limb allows the platform less at closed postures."""
     limb, labels = graph.network.limbs[number], graph.framed.limbs[number]
+    more = False
     if limb.path is None:
-        return LimbSingularities(
-            limb=limb.name,
-            joints=labels,
-            generic_rank=graph.limb_freedom(number),
-            complete=False,
-            components=(),
-            reason="the limb is no chain, and its loops tie joint variables together",
-        )
-    locus = columns_locus(graph, labels, kept)
+        locus, more = limb_locus(graph, number, kept)
+    else:
+        locus = columns_locus(graph, labels, kept)
+
+    def freedom(points: Sequence[tuple[Point, int]]) -> int:
+        if limb.path is None:
+            return graph.limb_freedom(number, points)
+        return graph.rank_of(labels, points)
+
     meanings = meanings_of(graph) if locus.pieces else None
     listed = [one.piece for one in locus.pieces]
-    rank = graph.rank_of(labels, graph.closed.points)
+    reason = "; ".join(filter(None, [locus.reason, _INSIDE if more else ""]))
     return LimbSingularities(
         limb=limb.name,
         joints=labels,
-        generic_rank=rank,
-        complete=not locus.reason,
+        generic_rank=freedom(graph.closed.points),
+        complete=not reason,
         components=tuple(
-            _limb_component(graph, one, meanings, listed, own)
+            _limb_component(graph, one, meanings, listed, freedom(one.points))
             for one in locus.pieces
-            for own in [graph.rank_of(labels, one.points)]
         ),
-        proof=_proof(locus),
-        reason=locus.reason,
+        proof=_proof(locus) if not reason else "",
+        reason=reason,
     )
 
 

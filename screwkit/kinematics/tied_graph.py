@@ -26,7 +26,7 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.errors import UndecidedError
 from screwkit.kinematics.frames import FramedTwists, balls_among
 from screwkit.kinematics.link_invariants import link_invariants
-from screwkit.kinematics.network import Motion, motion
+from screwkit.kinematics.network import Motion
 from screwkit.kinematics.parallel_axes import parallel_basis
 from screwkit.kinematics.tied_twists import (
     closing_demands,
@@ -35,6 +35,7 @@ from screwkit.kinematics.tied_twists import (
 )
 from screwkit.kinematics.whole_graph import (
     GraphState,
+    InPlace,
     WholeGraph,
     ranks_of,
     state_of,
@@ -216,14 +217,19 @@ class TiedGraph(WholeGraph):
                 f"{self.network.tied}, and no exact closed posture was found"
             )
 
-    def limb_freedom(self, number: int) -> int:
-        """Dimension of the twists that a limb alone allows, at closed postures."""
+    @cached_property
+    def limbs_in_place(self) -> tuple[InPlace, ...]:
+        """The limbs, each as a mechanism of its own, at postures of the whole."""
         ends = self.mechanism.base, self.mechanism.platform
-        part = self.network.part(self.network.limbs[number].joints, ends)
-        found = [
-            state_of(motion(part, self.posture_at(*point)))
-            for point in self.closed.points
-        ]
+        return tuple(
+            InPlace(self.network.part(limb.joints, ends).mechanism, self.framed)
+            for limb in self.network.limbs
+        )
+
+    def limb_freedom(self, number: int, points: Sequence[tuple[Point, int]]) -> int:
+        """Dimension of the twists that a limb alone allows, at exact postures."""
+        limb = self.limbs_in_place[number]
+        found = [state_of(limb.motion_at(*point)) for point in points]
         return max(found, key=ranks_of).platform_freedom
 
     def rank_of(

@@ -228,6 +228,19 @@ class WholeGraph:
         return {graph.framed.ring: graph.library for graph in own}
 
 
+class InPlace(WholeGraph):
+    """A part of a mechanism as a mechanism of its own, in the ring of the whole."""
+
+    def __init__(self, mechanism: Mechanism, framed: FramedTwists) -> None:
+        super().__init__(mechanism)
+        self._framed = framed
+
+    @cached_property
+    def framed(self) -> FramedTwists:
+        """The twists of the whole mechanism."""
+        return self._framed
+
+
 def state_of(found: Motion) -> GraphState:
     """The counts of a motion."""
     return GraphState(found.rank, found.mobility, len(found.platform_twists))

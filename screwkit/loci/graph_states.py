@@ -12,33 +12,18 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from dataclasses import replace
-from functools import cached_property, partial
+from functools import partial
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.points import Point
 from screwkit.algebra.search import Search
 from screwkit.conventions import DIRECTION
-from screwkit.kinematics.frames import FramedTwists
 from screwkit.kinematics.network import motion
 from screwkit.kinematics.subspaces import dimension
-from screwkit.kinematics.whole_graph import Row, WholeGraph, state_of
+from screwkit.kinematics.whole_graph import InPlace, Row, WholeGraph, state_of
 from screwkit.loci.matrix_drop import RankAt, matrix_zeros
 from screwkit.loci.platform_state import Change, may_slide_more
-from screwkit.mechanism.model import Mechanism
 from screwkit.results.strata import PlatformState
-
-
-class _InPlace(WholeGraph):
-    """A limb as a mechanism of its own, in the ring of the whole."""
-
-    def __init__(self, mechanism: Mechanism, framed: FramedTwists) -> None:
-        super().__init__(mechanism)
-        self._framed = framed
-
-    @cached_property
-    def framed(self) -> FramedTwists:
-        """The twists of the whole mechanism."""
-        return self._framed
 
 
 class GraphStates:
@@ -58,7 +43,7 @@ class GraphStates:
         self._actuated = actuated
         ends = graph.mechanism.base, graph.mechanism.platform
         self._limbs = [
-            _InPlace(graph.network.part(limb.joints, ends).mechanism, graph.framed)
+            InPlace(graph.network.part(limb.joints, ends).mechanism, graph.framed)
             for limb in graph.network.limbs
         ]
 

@@ -18,7 +18,7 @@ from screwkit.algebra.points import Point, rank_at
 from screwkit.algebra.points_on import Unknown
 from screwkit.algebra.search import Search
 from screwkit.kinematics.tied_graph import TiedGraph
-from screwkit.kinematics.whole_graph import Row
+from screwkit.kinematics.whole_graph import Row, state_of
 from screwkit.loci.closed_pieces import (
     TiedLocus,
     TiedPiece,
@@ -55,6 +55,34 @@ def tied_actuation_locus(graph: TiedGraph, actuated: Sequence[str]) -> GraphLocu
         state = graph.state_at(one.points, actuated)
         (moving if state.platform_freedom else idle).append(one.piece)
     return GraphLocus(tuple(moving), tuple(idle), locus.reason, not locus.reason)
+
+
+def limb_locus(
+    graph: TiedGraph, number: int, kept: Collection[Unknown]
+) -> tuple[TiedLocus, bool]:
+    """Where a limb with loops inside allows the platform less.
+
+    Its freedom is rank [C; P] less rank C of its loop equations without and with the
+    platform held, and falls only where the first does: a kernel of constant dimension
+    varies continuously.
+
+    Returns:
+        The locus, and whether that rank falls on pieces on which the freedom does not,
+        so that it may fall inside them.
+    """
+    limb = graph.limbs_in_place[number]
+    _, rows = limb.equations(held=True)
+
+    def at(point: Point, prime: int) -> int:
+        state = state_of(limb.motion_at(point, prime))
+        return state.loop + state.platform_freedom
+
+    locus = _searched(graph, rows, at, kept)
+    generic = graph.limb_freedom(number, graph.closed.points)
+    found = tuple(
+        one for one in locus.pieces if graph.limb_freedom(number, one.points) < generic
+    )
+    return TiedLocus(found, locus.reason), len(found) < len(locus.pieces)
 
 
 def columns_locus(
