@@ -54,8 +54,8 @@ class Search:
     their own (Krull), as long as zeros are not replaced by their real ones.  What is
     skipped for its points may have parts, of several pending conditions, that these do
     not show: ``inside`` gives the equations of known sets that the points lie in, and
-    ``surely`` tells that the whole branch lies in one.  Parts of special branches are
-    looked for by searches in which the same may be asked, ``inner`` times at most.
+    ``surely`` tells that the whole branch lies in one.  Parts of branches are looked
+    for by searches in which the same may be asked: ``nested`` counts how often.
     """
 
     library: FactorLibrary
@@ -72,7 +72,7 @@ class Search:
     deepest: int | None = None
     inside: Callable[[Branch], Iterable[Sequence[Polynomial]]] = lambda branch: ()
     surely: Callable[[Branch], bool] = lambda branch: False
-    inner: int = 2
+    nested: int = 0
 
 
 def may_hide_parts(branch: Branch, library: FactorLibrary) -> bool:
