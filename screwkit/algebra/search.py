@@ -56,8 +56,8 @@ class Search:
     not show: ``inside`` gives the equations of known sets that the points lie in, and
     ``surely`` tells that the whole branch lies in one.  With ``further`` branches that
     would be left open are gone on with by what two of their equations imply, or by
-    several of these solved together.  Parts of special branches are looked for by
-    searches in which the same may be asked, ``inner`` times at most.
+    several of these solved together.  Parts of branches are looked for by searches in
+    which the same may be asked: ``nested`` counts how often.
     """
 
     library: FactorLibrary
@@ -75,7 +75,7 @@ class Search:
     inside: Callable[[Branch], Iterable[Sequence[Polynomial]]] = lambda branch: ()
     surely: Callable[[Branch], bool] = lambda branch: False
     further: bool = False
-    inner: int = 2
+    nested: int = 0
 
 
 def may_hide_parts(branch: Branch, library: FactorLibrary) -> bool:

@@ -19,6 +19,9 @@ from screwkit.algebra.search import Search, irreducible_parts, replace_steps
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.algebra.unshown_parts import SETTLING, Zeros, settling
 
+_NESTED = 2
+"""Searches for parts in which parts of special branches are looked for too."""
+
 _SEEN = 12
 """Special branches, met one beside the other, that are taken for one."""
 
@@ -36,9 +39,8 @@ def parts_beside_special(
     Returns:
         None where it could not be settled whether these are all.
     """
-    if not search.inner:
-        return () if len(branch.pending) < 2 else None
-    own = replace(search, inner=search.inner - 1)
+    if search.nested >= _NESTED and len(branch.pending) > 1:
+        return None
     found: list[Branch] = []
     seen: list[Branch] = []
     waiting = [branch]
@@ -47,7 +49,7 @@ def parts_beside_special(
         if any(here.texts == b.texts and here.sheets == b.sheets for b in seen):
             continue
         seen.append(here)
-        parts = _beside(here, own, zeros)
+        parts = _beside(here, search, zeros)
         if parts is None or len(seen) > _SEEN:
             return None
         waiting += [part for part in parts if part.is_special]

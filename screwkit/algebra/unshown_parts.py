@@ -23,6 +23,7 @@ from screwkit.algebra.search import Decomposition, Search, replace_steps
 from screwkit.algebra.trigonometric import Polynomial
 
 SETTLING = 60  # case distinctions to tell a branch from spurious zeros
+_NESTED = 12  # searches for parts inside each other
 
 Zeros: TypeAlias = Callable[[Branch, Sequence[Polynomial], Search], Decomposition]
 """Common zeros on a branch: `decomposition.common_zeros`, which asks here in turn."""
@@ -99,7 +100,10 @@ def _is_over_directions(branch: Branch, search: Search, zeros: Zeros) -> bool:
 def settling(branch: Branch, search: Search) -> Search:
     """For parts as large as the branch; smaller ones are no parts of their own."""
     own = Search(
-        search.library, budget=SETTLING, largest=search.largest, inner=search.inner
+        search.library,
+        budget=SETTLING,
+        largest=search.largest,
+        nested=search.nested + 1,
     )
     own.further = search.further
     return replace(own, skip=lambda part: part.codimension > branch.codimension)
@@ -114,6 +118,8 @@ def _beside_a_system(
     as irreducible as these.
     """
     values = [p.value for p in branch.pending]
+    if search.nested >= _NESTED:
+        return None  # the parts may be given by the same system again
     for system in linear_systems(branch.ring, values):
         before = branch
         for k in system.conditions:
