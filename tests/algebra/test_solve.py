@@ -74,6 +74,14 @@ def only(text: str) -> dict[str, tuple[tuple[str, ...], str]]:
             ("q7 + 2*atan(d3/r3)", "q7 + 2*atan(d3/r3) - pi"),
             "pi",
         ),
+        # (c + 1/3)² = 98/81 has a root below −1, too.
+        (
+            "81*cos(q1)^2 + 54*cos(q1) - 89",
+            "q1",
+            ("acos(-1/3 + 7*sqrt(2)/9)", "-acos(-1/3 + 7*sqrt(2)/9)"),
+            "2*pi",
+        ),
+        ("2*x^2 - 4*x - 7", "x", ("1 + 3*sqrt(2)/2", "1 - 3*sqrt(2)/2"), ""),
         ("x*sin(q1) - y", "x", ("y/sin(q1)",), ""),
         (
             "x^2 + x*y + 1",

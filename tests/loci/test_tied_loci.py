@@ -724,6 +724,45 @@ def ends_of_the_first_loop() -> list[complex]:
     return found
 
 
+STEPHENSON = """
+screwkit: 1
+name: stephenson
+space: planar
+geometry: reference
+base: ground
+platform: tool
+links: [ground, a, t, b, c, tool]
+points: {A: [0, 0], B: [0, 4], C: [3, 6], D: [5, 0], E: [0, 4], F: [8, 6], G: [9, 1]}
+joints:
+  - {name: "1", type: revolute, parent: ground, child: a, point: A}
+  - {name: "2", type: revolute, parent: a, child: t, point: B}
+  - {name: "3", type: revolute, parent: t, child: b, point: C}
+  - {name: "4", type: revolute, parent: ground, child: b, point: D}
+  - {name: "5", type: revolute, parent: t, child: tool, point: E}
+  - {name: "6", type: revolute, parent: tool, child: c, point: F}
+  - {name: "7", type: revolute, parent: ground, child: c, point: G}
+actuated: ["1"]
+"""
+
+
+def test_a_limb_with_a_loop_loses_a_freedom_where_its_last_pivot_is_a_pole() -> None:
+    """The tool hangs on the coupler at B, which is the pole where B, C, D line up.
+
+    There |B D| is √40 − √13; the sum is more than crank and ground are together.
+    """
+    one, two = answer(STEPHENSON).limb
+    assert one.generic_rank == 2
+    assert one.complete
+    (component,) = one.components
+    assert component.rank == 1
+    at = dict(component.example or ())
+    gap = abs(4j * cmath.exp(1j * at["q1"]) - 5)
+    assert isclose(gap, sqrt(40) - sqrt(13), abs_tol=1e-6)
+    assert sqrt(40) + sqrt(13) > 4 + 5
+    assert two.complete
+    assert not two.components
+
+
 def test_certificates_of_schemes_of_tied_loops_are_refused_with_the_reason() -> None:
     with pytest.raises(UndecidedError, match="without --certificate"):
         schemes(load_text(CRANK_ROCKER), certificate=True)
