@@ -26,13 +26,12 @@ from screwkit.analyses.scheme_lists import (
     number_of_schemes,
     told_schemes,
 )
-from screwkit.analyses.whole_singularities import NAMED
+from screwkit.analyses.whole_singularities import meanings_of
 from screwkit.errors import UnknownNameError
 from screwkit.kinematics.tied_graph import TiedGraph
 from screwkit.kinematics.whole_graph import WholeGraph
 from screwkit.loci.graph_loci import actuation_locus
 from screwkit.loci.graph_witness import GraphWitnesses
-from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece
 from screwkit.loci.tied_loci import tied_actuation_locus
 from screwkit.loci.wording import equations_of
@@ -89,9 +88,7 @@ class _Loci:
 
     def factors(self) -> tuple[LocusFactor, ...]:
         """All equations with their meanings, the commonest first."""
-        graph = self.graph
-        few = len(graph.framed.joints) <= NAMED
-        meanings = Meanings(graph.framed, graph.root, graph.library) if few else None
+        meanings = meanings_of(self.graph) if self.counts else None
         return tuple(
             LocusFactor(
                 text,

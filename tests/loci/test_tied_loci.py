@@ -276,6 +276,17 @@ def test_a_five_bar_is_told_in_words() -> None:
     assert not found.constraint.components
 
 
+def test_schemes_of_a_five_bar_fail_where_the_passive_pivots_are_in_line() -> None:
+    found = schemes(load_text(FIVE_BAR))
+    meanings = {factor.equation: factor.meaning for factor in found.factors}
+    assert found.admissible == 10
+    for scheme in found.schemes:
+        (equation,) = scheme.locus
+        *first, last = (j for j in "12345" if j not in scheme.actuated)
+        passive = f"axes {', '.join(first)} and {last} lie in one plane"
+        assert meanings[equation] == passive
+
+
 def test_a_ball_joint_is_a_point_in_words_not_three_axes() -> None:
     """Dead where the rod lies in the crank's plane, at right angles with its axis."""
     found = answer(ROD_BETWEEN_BALLS).actuation
