@@ -246,10 +246,8 @@ class _TiedStratification:
         if wide:
             alone = [self._general(n, found) for n in wide]
             expected = expected_state(self._states.size, self._generic, alone)
-        posture: tuple[tuple[str, float], ...] | None = None
-        if len(alike) == 1:
-            polynomials = [polynomial for polynomial, _, _ in written]
-            posture = closed_example(self._graph, polynomials)
+        polynomials = [polynomial for polynomial, _, _ in written]
+        posture = closed_example(self._graph, polynomials)
         return Stratum(
             members=tuple(m for n in sorted(one.places) for m in self.places[n].labels),
             itself=tuple(itself.labels) if itself is not None else (),
@@ -263,7 +261,8 @@ class _TiedStratification:
             differs=expected is not None and differs(one.state, expected),
             holds="undecided" if len(alike) == 1 else "generally",
             real="met" if posture else "undecided",
-            posture=posture or (),
+            # Where states differ it is not known whose it is.
+            posture=(posture or ()) if len(alike) == 1 else (),
         )
 
     def _itself(self, one: _Set) -> _Place | None:
