@@ -152,9 +152,10 @@ class Branch:
         occurring = [condition.degrees() for condition in self.conditions]
         if not any(degrees[i] for degrees in occurring for i in self.dimensions):
             return False
-        if not self.points:
-            return False
-        point, prime = self.points[0]
+        return bool(self.points) and self.ties_dimensions_at(*self.points[0])
+
+    def ties_dimensions_at(self, point: Point, prime: int) -> bool:
+        """Whether the conditions tie dimensions to each other at an exact point."""
         rows = [differential(self.ring, c, point, prime) for c in self.conditions]
         angles = len(self.ring.basis)
         symbols = enumerate(self.ring.symbol_indices(), angles)

@@ -9,6 +9,7 @@ References: [CoxLittleOShea] §4.6 (decomposition into irreducibles).
 
 from __future__ import annotations
 
+import random
 from dataclasses import replace
 
 from screwkit.algebra.branches import Branch, Pending, restricted, without
@@ -16,11 +17,21 @@ from screwkit.algebra.linear_systems import LinearSystem, linear_systems
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import Unknown, coefficients_in, unknowns
 from screwkit.algebra.search import Search, irreducible_parts, replace_steps
+from screwkit.algebra.substitution import angle_parts
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.algebra.unshown_parts import SETTLING, Zeros, settling
 
 _NESTED = 2
-"""Searches for parts in which parts of special branches are looked for too."""
+"""Searches for parts, in each other, in which special sets are taken apart too."""
+
+_DEEPEST = 6
+"""The same of sets of which all but a small part is seen to be special at once."""
+
+_SHEETS = 2
+"""Roots of a condition that points tell apart."""
+
+_DRAWN = 40
+"""Points that meet both with certainty: each takes one of the roots at random."""
 
 _SEEN = 12
 """Special branches, met one beside the other, that are taken for one."""
@@ -39,8 +50,6 @@ def parts_beside_special(
     Returns:
         None where it could not be settled whether these are all.
     """
-    if search.nested >= _NESTED and len(branch.pending) > 1:
-        return None
     found: list[Branch] = []
     seen: list[Branch] = []
     waiting = [branch]
@@ -68,22 +77,85 @@ def _beside(branch: Branch, search: Search, zeros: Zeros) -> tuple[Branch, ...] 
     Returns:
         Among them are all that are not special; None where that could not be settled.
     """
-    if len(branch.pending) < 2:
+    if len(branch.pending) < 2 or _lies_in_special(branch):
         return ()
+    if search.nested >= _DEEPEST:
+        return None
     for pending in branch.pending:
-        for unknown in _own_unknowns(branch, pending):
-            found = _beside_a_root(branch, pending, unknown, search, zeros)
+        for unknown in _own_unknowns(branch, pending, dimensions=True):
+            found = _beside_two_sheets(branch, pending, unknown, search, zeros)
             if found is not None:
                 return found
     for system in linear_systems(branch.ring, [p.value for p in branch.pending]):
         found = _beside_a_graph(branch, system, search, zeros)
         if found is not None:
             return found
+    if search.nested >= _NESTED:
+        return None
+    for pending in branch.pending:
+        for unknown in _own_unknowns(branch, pending):
+            found = _beside_a_root(branch, pending, unknown, search, zeros)
+            if found is not None:
+                return found
     return None
 
 
-def _own_unknowns(branch: Branch, pending: Pending) -> list[Unknown]:
-    """Unknowns of one condition that are no dimensions and in no other condition."""
+def _lies_in_special(branch: Branch) -> bool:
+    """Whether what is solved ties dimensions, alone or with one pending condition.
+
+    That set is irreducible, so that its points speak for all of it and what lies in it.
+    """
+    return any(
+        wider.points and wider.is_special
+        for kept in (None, *branch.pending)
+        for wider in [_with_one(branch, kept)]
+    )
+
+
+def _with_one(branch: Branch, kept: Pending | None) -> Branch:
+    """The branch with one of its pending conditions at most."""
+    for pending in branch.pending:
+        if pending is not kept:
+            branch = without(branch, pending)
+    return branch
+
+
+def _beside_two_sheets(
+    branch: Branch, pending: Pending, unknown: Unknown, search: Search, zeros: Zeros
+) -> tuple[Branch, ...] | None:
+    """Where a condition over an irreducible set has two roots at most, all tied.
+
+    These roots are one part or two, each over all of that set; many points meet both.
+    What is left is where all coefficients vanish.
+    """
+    before = without(branch, pending)
+    if len(before.pending) > 1 or _roots(branch, pending, unknown) > _SHEETS:
+        return None
+    coefficients = coefficients_in(branch.ring, pending.value, unknown)
+    source = random.Random(31)
+    for _ in range(_DRAWN):
+        point = branch.point(source)
+        if point is None or not branch.ties_dimensions_at(*point):
+            return None
+        if not any(residue(value, *point) for value in coefficients):
+            return None
+    free = zeros(before, coefficients, settling(branch, search))
+    return free.branches if free.complete else None
+
+
+def _roots(branch: Branch, pending: Pending, unknown: Unknown) -> int:
+    """How many values of an unknown a condition has at most."""
+    kind, number = unknown
+    if kind == "x":
+        return int(pending.value.degrees()[number])
+    parts = angle_parts(branch.ring, pending.value, number)
+    return _SHEETS if parts is not None else _SHEETS + 1
+
+
+def _own_unknowns(
+    branch: Branch, pending: Pending, *, dimensions: bool = False
+) -> list[Unknown]:
+    """Unknowns of one condition that are in no other; dimensions only if asked for."""
     if pending.beside:
         return []
     ring = branch.ring
@@ -94,9 +166,9 @@ def _own_unknowns(branch: Branch, pending: Pending) -> list[Unknown]:
         for value in (p.value, *p.beside)
         for unknown in unknowns(ring, value)
     }
-    dimensions = {("x", index) for index in branch.dimensions}
+    barred = set() if dimensions else {("x", index) for index in branch.dimensions}
     own = unknowns(ring, pending.value)
-    return [u for u in own if u not in others and u not in dimensions]
+    return [u for u in own if u not in others and u not in barred]
 
 
 def _beside_a_root(

@@ -8,8 +8,8 @@ import pytest
 from one_ring import in_one_ring
 
 from screwkit.algebra.assumptions import Assumptions
-from screwkit.algebra.branches import Branch, restricted
-from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.branches import Branch, Pending, restricted
+from screwkit.algebra.decomposition import beside_special, common_zeros
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.points import PRIME, residue, root_modulo
 from screwkit.algebra.search import Search
@@ -80,3 +80,24 @@ def test_legs_in_one_plane(posture: Callable[[], dict[str, int]]) -> None:
         not any(residue(c, point) for c in branch.conditions)
         for branch in found.branches
     )
+
+
+def pending(*texts: str, dimensions: str) -> Branch:
+    """A branch on which all of these are pending."""
+    ring, conditions = in_one_ring(*texts)
+    places = dict(zip(ring.symbols, ring.symbol_indices(), strict=True))
+    return Branch(
+        ring,
+        Assumptions(frozenset(dimensions)),
+        tuple(conditions),
+        pending=tuple(Pending(own, own) for own in conditions),
+        dimensions=tuple(places[name] for name in dimensions),
+    )
+
+
+def test_two_conditions_of_one_angle_tie_dimensions_everywhere() -> None:
+    """tan p is −d/f and −e/g, so that d·g = e·f; no sine and cosine vanish at once."""
+    branch = pending("d*cos(p) + f*sin(p)", "e*cos(p) + g*sin(p)", dimensions="defg")
+    assert branch.is_special
+    search = Search(FactorLibrary(branch.ring))
+    assert beside_special(branch, search) == ()
