@@ -96,7 +96,7 @@ def pending(*texts: str, dimensions: str) -> Branch:
 
 
 def test_two_conditions_of_one_angle_tie_dimensions_everywhere() -> None:
-    """tan p is −d/f and −e/g, so that d·g = e·f; no sine and cosine vanish at once."""
+    """Tan p is −d/f and −e/g, so that d·g = e·f; no sine and cosine vanish at once."""
     branch = pending("d*cos(p) + f*sin(p)", "e*cos(p) + g*sin(p)", dimensions="defg")
     assert branch.is_special
     search = Search(FactorLibrary(branch.ring))
