@@ -708,18 +708,22 @@ def test_two_loops_are_dead_where_the_first_one_is() -> None:
         )
         assert isclose(value(component.equations[0], at) / area(b, c, 6), expected)
     first, second = found.limb
-    assert (first.generic_rank, first.complete) == (2, False)
+    assert (first.generic_rank, first.complete, first.components) == (2, True, ())
     assert (second.generic_rank, second.complete) == (2, True)
     sums = abs(9 + 4j - (4 + 6j)) + abs(9 + 4j - (10 - 1j))
     differences = abs(abs(9 + 4j - (4 + 6j)) - abs(9 + 4j - (10 - 1j)))
-    apart = [abs(e - (10 - 1j)) for e in ends_of_the_first_loop()]
+    postures = postures_of_the_first_loop()
+    # The first limb would lose a freedom with the pole of its ternary link at E: on
+    # the lines A B and D C.
+    assert all(abs(area(0, b, e)) + abs(area(6, c, e)) > 0.1 for b, c, e in postures)
+    apart = [abs(e - (10 - 1j)) for _, _, e in postures]
     assert len(apart) > 1000
     assert differences + 0.1 < min(apart)
     assert max(apart) < sums - 0.1
 
 
-def ends_of_the_first_loop() -> list[complex]:
-    """E on the coupler of A, B, C, D, by the law of cosines, all round."""
+def postures_of_the_first_loop() -> list[tuple[complex, complex, complex]]:
+    """B, C, and E on the coupler, by the law of cosines, all round."""
     crank, coupler, rocker = 1 + 2j, 4 + 1j, abs(5 + 3j - 6)
     found = []
     for q1 in np.linspace(-pi, pi, 2001):
@@ -731,7 +735,7 @@ def ends_of_the_first_loop() -> list[complex]:
         across = sqrt(abs(coupler) ** 2 - along**2)
         for side in (1, -1):
             arm = away / abs(away) * complex(along, side * across)
-            found.append(b + arm / coupler * (3 + 4j))
+            found.append((b, b + arm, b + arm / coupler * (3 + 4j)))
     return found
 
 
