@@ -6,7 +6,7 @@ chosen.  What two conditions imply together may leave simpler ones.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from weakref import WeakKeyDictionary
@@ -209,7 +209,19 @@ def implied_cases(
     branch: Branch, library: FactorLibrary, largest: int
 ) -> list[Factor] | None:
     """Solvable factors of something that two pending conditions imply."""
-    for one, two in combinations([p.value for p in branch.pending], 2):
+    values = [p.value for p in branch.pending]
+    for _, _, polynomial in _implied(branch, values, largest):
+        cases = possible_factors(branch, polynomial, library)
+        if all(_is_simple(branch, case) for case in cases):
+            return cases
+    return None
+
+
+def _implied(
+    branch: Branch, values: Sequence[Polynomial], largest: int
+) -> Iterator[tuple[Polynomial, Polynomial, Polynomial]]:
+    """Two equations of a branch after two, with each polynomial that they imply."""
+    for one, two in combinations(values, 2):
         if max(len(one), len(two)) > LONGEST:
             continue
         # Squares in them may be known: of an angle that is fixed by numbers.
@@ -218,10 +230,7 @@ def implied_cases(
                 continue
             if len(polynomial) > largest:
                 break
-            cases = possible_factors(branch, polynomial, library)
-            if all(_is_simple(branch, case) for case in cases):
-                return cases
-    return None
+            yield one, two, polynomial
 
 
 def implied_products(
@@ -235,20 +244,13 @@ def implied_products(
     values = [v for p in branch.pending for v in (p.value, *p.beside) if v != 0]
     known = {str(primitive(v)) for v in values}
     found: list[tuple[int, list[Factor]]] = []
-    for one, two in combinations(values, 2):
-        if max(len(one), len(two)) > LONGEST:
-            continue
-        for polynomial in reduced(eliminants(branch.ring, one, two), branch.steps):
-            if polynomial == 0:
-                continue
-            if len(polynomial) > largest:
-                break
-            cases = possible_factors(branch, polynomial, library)
-            parts = [e for case in cases for e in case.equations]
-            if all(_is_simpler(branch.ring, e, one, two) for e in parts) and not any(
-                {str(e) for e in case.equations} <= known for case in cases
-            ):
-                found.append((sum(map(len, parts)), cases))
+    for one, two, polynomial in _implied(branch, values, largest):
+        cases = possible_factors(branch, polynomial, library)
+        parts = [e for case in cases for e in case.equations]
+        if all(_is_simpler(branch.ring, e, one, two) for e in parts) and not any(
+            {str(e) for e in case.equations} <= known for case in cases
+        ):
+            found.append((sum(map(len, parts)), cases))
     return min(found, key=lambda own: own[0], default=(0, None))[1]
 
 

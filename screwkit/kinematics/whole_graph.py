@@ -50,6 +50,11 @@ class GraphState:
     mobility: int
     platform_freedom: int
 
+    @property
+    def held(self) -> int:
+        """Rank of the same matrix with the platform held to the base, [C; P]."""
+        return self.loop + self.platform_freedom
+
 
 class WholeGraph:
     """A mechanism as a graph, its twists in symbols.

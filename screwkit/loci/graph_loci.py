@@ -91,8 +91,7 @@ def limb_locus(limb: WholeGraph) -> GraphLocus:
     generic = limb.generic_state().platform_freedom
 
     def rank_at(point: Point, prime: int) -> int:
-        state = state_of(limb.motion_at(point, prime))
-        return state.loop + state.platform_freedom
+        return state_of(limb.motion_at(point, prime)).held
 
     def holds(branch: Branch) -> bool:
         return state_on(limb, [branch]).platform_freedom < generic

@@ -114,4 +114,4 @@ def _rank(
 ) -> int:
     """Of C or [C; P] at an exact point."""
     state = state_of(graph.motion_at(point, prime, locked))
-    return state.loop + state.platform_freedom if held else state.loop
+    return state.held if held else state.loop

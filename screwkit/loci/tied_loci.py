@@ -74,8 +74,7 @@ def limb_locus(
     _, rows = limb.equations(held=True)
 
     def at(point: Point, prime: int) -> int:
-        state = state_of(limb.motion_at(point, prime))
-        return state.loop + state.platform_freedom
+        return state_of(limb.motion_at(point, prime)).held
 
     locus = _searched(graph, rows, at, kept)
     generic = graph.limb_freedom(number, graph.closed.points)

@@ -5,28 +5,11 @@ from __future__ import annotations
 from math import isclose, sqrt
 
 import numpy as np
+from loci.test_tied_loci import FIVE_BAR
 
 from screwkit.case import load_text
 from screwkit.questions import singularities
 from screwkit.results.strata import Strata
-
-FIVE_BAR = """
-screwkit: 1
-name: five_bar
-space: planar
-geometry: reference
-base: ground
-platform: left
-links: [ground, one, two, left, right]
-points: {A: [0, 0], B: [-1, 2], C: [2, 4], D: [5, 3], E: [4, 0]}
-joints:
-  - {name: "1", type: revolute, parent: ground, child: one, point: A}
-  - {name: "2", type: revolute, parent: one, child: left, point: B}
-  - {name: "3", type: revolute, parent: left, child: right, point: C}
-  - {name: "4", type: revolute, parent: two, child: right, point: D}
-  - {name: "5", type: revolute, parent: ground, child: two, point: E}
-actuated: ["1", "5"]
-"""
 
 
 def strata(text: str) -> Strata:
