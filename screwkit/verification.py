@@ -19,7 +19,14 @@ if TYPE_CHECKING:
     from screwkit.certificates.records import Certificate, Node, Source
     from screwkit.mechanism.model import Mechanism
     from screwkit.results.schemes import Schemes
-    from screwkit.results.singularities import Singularities
+    from screwkit.results.singularities import (
+        ActuationSingularities,
+        ConstraintSingularities,
+        LimbSingularities,
+        Singularities,
+    )
+
+    Listed = LimbSingularities | ConstraintSingularities | ActuationSingularities
 
 
 class CertificateError(ScrewkitError):
@@ -31,7 +38,8 @@ def certified_answer(
 ) -> Singularities:
     """An answer of `singularities` with its certificate, as the text of its document.
 
-    Each list says whether the certificate carries a proof that it is complete.
+    Each list says whether the certificate carries a proof that it is complete, and is
+    called complete only then.
 
     Args:
         case: As loaded from a file.
@@ -46,19 +54,26 @@ def certified_answer(
     certificate = certificate_of(case, answer, progress)
     parts = {(part.question, part.limb): part for part in certificate.parts}
 
-    def of(question: str, limb: str = "") -> dict[str, Any]:
+    def of(question: str, own: Listed, limb: str = "") -> dict[str, Any]:
         part = parts.get((question, limb))
-        if part is not None:
-            return {"certified": part.proof is not None, "uncertified": part.reason}
-        if not limb:  # no loop: there is nothing to prove
+        if part is None and not limb:  # no loop: there is nothing to prove
             return {}
-        return {"certified": False, "uncertified": "the certificate leaves it out"}
+        why = "the certificate leaves it out" if part is None else part.reason
+        if part is not None and part.proof is not None:
+            return {"certified": True, "uncertified": why}
+        reason = why if own.complete else own.reason
+        return {
+            "certified": False,
+            "uncertified": why,
+            "complete": False,
+            "reason": reason,
+        }
 
-    limbs = (replace(own, **of("limb", own.limb)) for own in answer.limb)
-    constraint = replace(answer.constraint, **of("constraint"))
+    limbs = (replace(own, **of("limb", own, own.limb)) for own in answer.limb)
+    constraint = replace(answer.constraint, **of("constraint", answer.constraint))
     actuation = answer.actuation
     if actuation is not None and actuation.admissible:
-        actuation = replace(actuation, **of("actuation"))
+        actuation = replace(actuation, **of("actuation", actuation))
     return replace(
         answer,
         limb=tuple(limbs),

@@ -125,7 +125,8 @@ def verdict(
     none: bool,
 ) -> str:
     """What the search found, whether a certificate proves it, and what is open."""
-    if not part.complete:
+    searched = part.complete or (bool(part.reason) and part.reason == part.uncertified)
+    if not searched:
         known = "nothing found, but " if none else ""
         return f"{known}undecided whether this is all: {part.reason or 'not proved'}"
     proof = getattr(part, "proof", "")

@@ -77,9 +77,11 @@ class LimbSingularities:
     """Where one limb's twist system loses rank.
 
     Attributes:
-        complete: The search left out no case: there is no other component.
-        proof: How it was searched, in words; empty where not complete.
-        reason: Why it is not complete; empty where it is.
+        complete: There is no other component: the search left out no case, and where a
+            certificate was asked for, it carries a proof.
+        proof: How it was searched, in words; empty where cases were left out.
+        reason: Why it is not complete, as in ``uncertified`` where only the proof is
+            missing; empty where it is.
         certified: Whether a certificate carries a proof of that, which `verify` checks
             from the mechanism alone; None where no certificate was asked for.
         uncertified: Why it carries none; where it does, what it does not show besides.

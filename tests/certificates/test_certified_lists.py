@@ -122,7 +122,10 @@ def test_a_list_without_a_proof_is_not_called_certified(
 
     monkeypatch.setattr("screwkit.certificates.certification.proof_of", fails)
     searched = screwkit.singularities(case, certificate=True)
-    assert searched.limb[0].complete
+    assert not searched.limb[0].complete  # without a proof nothing is called so
+    assert (
+        searched.limb[0].reason == searched.limb[0].uncertified == "nothing was tried"
+    )
     assert searched.limb[0].certified is False
     assert "complete by search, not certified (nothing was tried)" in str(searched)
 
@@ -140,6 +143,6 @@ def test_of_a_very_long_list_no_component_is_listed(
 ) -> None:
     monkeypatch.setattr("screwkit.certificates.certification.MOST", 1)
     limb = answered.__wrapped__(tmp_path).limb[0]
-    assert limb.complete
+    assert not limb.complete
     assert not limb.certified
     assert limb.uncertified == "of more than 1 components none is listed; there are 2"
