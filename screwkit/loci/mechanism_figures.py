@@ -50,9 +50,7 @@ def graph_figures(
     return (*axes_of(framed, root, library), own)
 
 
-def figures_of(
-    assembly: Assembly, locked: Collection[str] = ()
-) -> tuple[Figures, ...]:
+def figures_of(assembly: Assembly, locked: Collection[str] = ()) -> tuple[Figures, ...]:
     """What may become dependent with these joints locked.
 
     Two limbs make one loop, of which the axes say more than the wrenches.
@@ -74,15 +72,18 @@ def figures_of(
 
 def figures_on(
     assembly: Assembly, locked: Collection[str] = ()
-) -> Callable[[Piece], Figures]:
-    """What limbs transmit on a piece, where some have lost motions and resist more."""
+) -> Callable[[Piece, bool], Figures]:
+    """What limbs transmit on a piece, where some have lost motions and resist more.
+
+    Told to be firm it takes lines that are lost nowhere, where there are such.
+    """
     framed = assembly.common_twists
     given = framed, assembly.root(framed.ring), assembly.library(framed.ring)
 
-    def figures(piece: Piece) -> Figures:
+    def figures(piece: Piece, firm: bool) -> Figures:
         on = [point for branch in piece.branches for point in branch.points]
-        screws = partial(wrench_screws, assembly, locked, on)
-        return Figures(*given, screws, directions=True)
+        screws = partial(wrench_screws, assembly, locked, on, firm=firm)
+        return Figures(*given, screws, directions=True, forces=firm)
 
     return figures
 

@@ -6,7 +6,7 @@ In a planar linkage that is a force through both hinges, or through a hinge and 
 to a slide; between two ball joints the same; in a spherical linkage a couple normal to
 both axes, beside forces through the centre.
 
-References: [Hunt1978] §1 (two-force members, instant centres); [LongCaroKhalil2012] (26).
+References: [Hunt1978] §1, for instant centres; [LongCaroKhalil2012] (26).
 """
 
 from __future__ import annotations
