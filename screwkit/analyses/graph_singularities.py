@@ -157,7 +157,7 @@ def actuation_places(
         witness = GraphWitnesses(graph).of(actuated)
         return never_still(actuated, size, generic.platform_freedom, witness), ()
     locus = actuation_locus(graph, actuated)
-    meanings = meanings_of(graph) if locus.pieces or locus.others else None
+    meanings = meanings_of(graph, actuated) if locus.pieces or locus.others else None
 
     def component(piece: Piece) -> Component:
         state = state_on(graph, piece.branches, actuated)

@@ -20,7 +20,7 @@ from screwkit.kinematics.told_parts import own_parts
 from screwkit.loci.exact_equations import Singularity, with_exact_equations
 from screwkit.loci.hybrid_strata import HybridStrata, generic_motion, hybrid_strata
 from screwkit.loci.meanings import Meanings
-from screwkit.loci.mechanism_figures import axes_of
+from screwkit.loci.mechanism_figures import graph_figures
 from screwkit.loci.pieces import Piece
 from screwkit.loci.searching_again import searched_again
 from screwkit.loci.strata import LimbStrata, limb_strata
@@ -52,7 +52,8 @@ def hybrid_limb(assembly: Assembly, limb: LimbChain) -> LimbSingularities:
     framed = assembly.limb_twists[limb.name]
     root, library = assembly.root(framed.ring), assembly.library(framed.ring)
     strata = _strata(assembly, limb)
-    meanings = Meanings(framed, root, library, axes_of(framed, root, library))
+    figures = graph_figures(assembly.mechanism, framed, root, library)
+    meanings = Meanings(framed, root, library, figures)
     parts, height = own_parts(assembly, limb)
     generic = strata.strata[0].dimension
 

@@ -244,15 +244,15 @@ def constraint_singularities(
         )
         for limb in assembly.limbs
     ]
-    meanings = Meanings(
-        framed, root, library, figures_of(assembly), figures_on(assembly)
-    )
     known = [
         primitive(stratum.equations[0])
         for limb in strata
         for stratum in limb.strata
         if len(stratum.equations) == 1
     ]
+    meanings = Meanings(
+        framed, root, library, figures_of(assembly), figures_on(assembly), known
+    )
     kind = partial(loop_state, limbs=limbs)
 
     def exactly(pieces: Sequence[Piece]) -> ExactPieces:

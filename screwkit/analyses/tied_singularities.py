@@ -165,7 +165,7 @@ def tied_actuation(
     if left:
         return never_still(actuated, size, left, MOVES_ALL_ALONG), ()
     locus = loop_locus(graph, actuated, graph.unknowns_of(actuated))
-    meanings = meanings_of(graph) if locus.pieces else None
+    meanings = meanings_of(graph, actuated) if locus.pieces else None
     found = []
     for one in locus.pieces:
         state = graph.state_at(one.points, actuated)

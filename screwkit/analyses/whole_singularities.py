@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.factor_library import FactorLibrary
@@ -11,7 +11,7 @@ from screwkit.analyses.assumed import assumptions_in_words, unsplit
 from screwkit.analyses.one_component import component_of
 from screwkit.kinematics.whole_graph import GraphState, WholeGraph
 from screwkit.loci.meanings import Meanings
-from screwkit.loci.mechanism_figures import axes_of
+from screwkit.loci.mechanism_figures import graph_figures
 from screwkit.loci.pieces import Piece
 from screwkit.mechanism.model import Mechanism
 from screwkit.results.singularities import (
@@ -26,12 +26,17 @@ NAMED = 30
 """Freedoms up to which statements about axes are tried."""
 
 
-def meanings_of(graph: WholeGraph) -> Meanings | None:
-    """What loci of a graph mean; None where it has many freedoms."""
+def meanings_of(graph: WholeGraph, locked: Collection[str] = ()) -> Meanings | None:
+    """What loci of a graph mean; None where it has many freedoms.
+
+    Args:
+        graph: Of the mechanism.
+        locked: Freedoms that are held; bodies between them are one member.
+    """
     if len(graph.framed.joints) > NAMED:
         return None
     given = graph.framed, graph.root, graph.library
-    return Meanings(*given, axes_of(*given))
+    return Meanings(*given, graph_figures(graph.mechanism, *given, locked))
 
 
 def put_together(

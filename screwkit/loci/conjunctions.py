@@ -13,15 +13,20 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 
-from screwkit.algebra.branches import Branch, without
+from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import differential, residue
-from screwkit.algebra.proved_inside import left_over
 from screwkit.algebra.search import Search
-from screwkit.algebra.trigonometric import Polynomial
 from screwkit.loci.pieces import Piece, surely_in
+from screwkit.loci.said_together import (
+    Conjunction,
+    Said,
+    all_of,
+    is_met,
+    stated,
+)
 
 _TRIED = 160  # statements
 _SAID = 6  # statements together
@@ -29,22 +34,6 @@ _BESIDE = 12  # branches that are followed at once
 _AGAIN = 4  # statements that are looked at once more
 _SEARCHES = 40  # of branches for a statement, in all
 _BUDGET = 40  # case distinctions for one statement on one branch
-
-Said = tuple[str, Sequence[Polynomial]]
-"""A statement in words, and what vanishes where it holds."""
-
-
-@dataclass(frozen=True)
-class Conjunction:
-    """Statements that together hold on a piece, and where else.
-
-    Attributes:
-        words: None of them to spare.
-        elsewhere: Numbers of other components on which they hold too.
-    """
-
-    words: tuple[str, ...]
-    elsewhere: tuple[int, ...] = ()
 
 
 def conjunction(
@@ -69,13 +58,14 @@ def conjunction(
     said = _strongest_first(piece, list(islice(statements, _TRIED)), root)
     alone = _Cutting(piece, (), library).chosen(said, root)
     if alone is not None:
-        return Conjunction(_words(alone)) if _holds(alone, piece, library) else None
+        return stated(alone, piece, root, library, others)
     for numbers in _groups(piece, said, others):
         known = [others[number] for number in numbers]
-        shared = [one for one in said if all(_is_met(one, p) for p in known)]
+        shared = [one for one in said if all(is_met(one, p) for p in known)]
         both = _Cutting(piece, tuple(known), library).chosen(shared, root)
-        if both is not None and all(_holds(both, p, library) for p in (piece, *known)):
-            return Conjunction(_words(both), numbers)
+        found = both and stated(both, piece, root, library, others)
+        if found:
+            return found
     return None
 
 
@@ -89,55 +79,15 @@ def _groups(
         if other is not piece and all(branch.points for branch in other.branches)
     ]
     pairs = [(number,) for number, other in beside if _alike(piece, other)]
-    sharing = [tuple(n for n, other in beside if _is_met(one, other)) for one in said]
+    sharing = [tuple(n for n, other in beside if is_met(one, other)) for one in said]
     found = [*pairs, max(sharing, key=len, default=())]
     return [g for g in found if g and any(set(g) <= set(s) for s in sharing)]
-
-
-def _is_met(said: Said, piece: Piece) -> bool:
-    """Whether a statement holds at the exact points of a piece."""
-    return not any(residue(s, *at) for s in said[1] for at in _points(piece))
 
 
 def _alike(one: Piece, other: Piece) -> bool:
     """Whether two may be mirror images: equations of the same lengths."""
     lengths = (sorted(map(len, piece.equations)) for piece in (one, other))
     return next(lengths) == next(lengths) and one.codimension == other.codimension
-
-
-def _words(said: Sequence[Said]) -> tuple[str, ...]:
-    return tuple(words for words, _ in said)
-
-
-def _holds(said: Sequence[Said], piece: Piece, library: FactorLibrary) -> bool:
-    """Whether statements hold on all of a piece.
-
-    Where several conditions are pending its exact points may lie on one part of it.
-    Then they hold outside the zeros of a multiplier, which must be no part as large.
-    """
-    scalars = _all_of(said)[1]
-    for branch in piece.branches:
-        if len(branch.pending) < 2:
-            continue
-        systems = left_over(branch, [scalars])
-        if systems is None:
-            return False
-        before = branch
-        for pending in branch.pending:
-            before = without(before, pending)
-        own = [value for value in map(before.value, piece.equations) if value != 0]
-        for system in systems:
-            search = Search(library, budget=_BUDGET)
-            zeros = common_zeros(before, [*system, *own], search)
-            if not zeros.complete or any(
-                b.codimension <= branch.codimension for b in zeros.branches
-            ):
-                return False
-    return True
-
-
-def _points(piece: Piece) -> list[tuple[Sequence[int], int]]:
-    return [at for branch in piece.branches for at in branch.points]
 
 
 def _strongest_first(piece: Piece, said: list[Said], root: Branch) -> list[Said]:
@@ -172,7 +122,7 @@ class _Cutting:
         for again, one in self._in_turn(said, waiting):
             cut = self._cut(one, beside)
             if cut is None and again and chosen:
-                cut = self._cut(_all_of([*chosen, one]), [root])
+                cut = self._cut(all_of([*chosen, one]), [root])
             if cut is None and not again:
                 waiting.append(one)
             if cut is None or _same(cut, beside):
@@ -210,7 +160,7 @@ class _Cutting:
             if beside:
                 beside = self._cut(one, beside)
         if beside is None:
-            beside = self._cut(_all_of(said), [root])
+            beside = self._cut(all_of(said), [root])
         return beside == []
 
     def _cut(self, said: Said, beside: Sequence[Branch]) -> list[Branch] | None:
@@ -236,11 +186,6 @@ class _Cutting:
                 b for b in zeros.branches if not any(surely_in(b, p) for p in known)
             ]
         return found if len(found) <= _BESIDE else None
-
-
-def _all_of(said: Sequence[Said]) -> Said:
-    """Statements as one."""
-    return "; ".join(words for words, _ in said), [s for _, own in said for s in own]
 
 
 def _same(cut: Sequence[Branch], beside: Sequence[Branch]) -> bool:

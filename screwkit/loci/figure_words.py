@@ -134,3 +134,19 @@ def dependent_about(
     normal = f"the common normal of {kind}"
     named_free = called(free).removeprefix("slides ")
     return f"{normal} {named_free} is parallel to the plane of {named} and {centre}"
+
+
+def dependent_along(
+    axis: str, screws: Sequence[NamedScrew], rank_left: int
+) -> str | None:
+    """How forces lie that are dependent up to all couples normal to an axis.
+
+    Two of them are parallel, with equal moments about the axis for equal forces.
+    """
+    if len(screws) != rank_left + 1:
+        return None
+    named = called(screws)
+    if rank_left == 1:
+        return f"{named} are parallel, in one plane parallel to axis {axis}"
+    couple = f"a couple normal to axis {axis}"
+    return f"some forces along {named} add up to no more than {couple}"

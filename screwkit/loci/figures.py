@@ -20,26 +20,25 @@ from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.minors import minors_of_size
 from screwkit.algebra.modular import rank
 from screwkit.algebra.points import residue
-from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.loci.figure_words import (
     dependent,
     dependent_about,
+    dependent_along,
     dependent_directions,
 )
 from screwkit.loci.named_screws import NamedScrew
 from screwkit.loci.pieces import Piece
 from screwkit.loci.placed_features import features_of
-from screwkit.loci.same_zeros import zeros_beside
+from screwkit.loci.same_zeros import proviso, zeros_beside
 from screwkit.screw.vector import Vector, add, cross
 
 _SETS = 4_000  # sets of screws that are tried at points
 _COMPARED = 12  # of which so many are compared with the piece
 _COSTLIEST = 10**13  # the terms of the screws of one minor, multiplied
 _OF_SEVERAL = 2  # screws whose dependence takes several equations
-_SHORT = 2  # terms of a proviso
 
 ExactPoint = tuple[Sequence[int], int]
 Column = tuple[Polynomial, ...]
@@ -79,6 +78,7 @@ class Figures:
         held: Callable[[], Sequence[NamedPoint]] = tuple,
         *,
         directions: bool = False,
+        forces: bool = False,
     ) -> None:
         """Nothing is computed before the first piece is asked about.
 
@@ -90,6 +90,8 @@ class Figures:
             held: Points through which all forces are there beside these screws.
             directions: Look at those of lines always, not only where every translation,
                 or every couple, is among the screws.
+            forces: The screws are wrenches; look at those of lines up to couples normal
+                to an axis, where all these are among the screws.
         """
         self._held = held
         self._framed = framed
@@ -97,6 +99,7 @@ class Figures:
         self._library = library
         self._given = screws
         self._always = directions
+        self._forces = forces
 
     def of(self, piece: Piece, smallest: int = 1, largest: int = 5) -> str | None:
         """A sentence that holds exactly on the piece; None where none was found.
@@ -122,10 +125,9 @@ class Figures:
             beside = self._beside(piece, view, chosen, left)
             if beside == []:
                 return sentence
-            if beside and all(len(p) <= _SHORT for p in beside) and not provisional:
-                ring = self._framed.ring
-                given = " and ".join(f"{equation_text(ring, p)} ≠ 0" for p in beside)
-                provisional = f"{sentence} (given {given})"
+            given = proviso(self._framed.ring, beside) if beside else None
+            if given is not None and provisional is None:
+                provisional = f"{sentence} ({given})"
         return provisional
 
     def holding(
@@ -151,7 +153,7 @@ class Figures:
     def _views(self) -> tuple[View, ...]:
         """Short vectors first."""
         about = [v for c in self._centres for v in self._about(*c)]
-        return (*self._directions(), *about, *self._whole())
+        return (*self._directions(), *about, *self._along(), *self._whole())
 
     def _whole(self) -> Iterator[View]:
         screws = tuple(s for s in self._screws if not s.ball)
@@ -180,6 +182,36 @@ class Figures:
                 2,
                 lambda s, left, rows, p: dependent_directions(s, left),
             )
+
+    def _along(self) -> Iterator[View]:
+        """Where all couples normal to an axis, and no more, are among the screws."""
+        point, prime = self._root.points[0]
+        free = [s for s in self._screws if s.free]
+        moments = [s.at(point, prime)[MOMENT] for s in free]
+        if not self._forces or len(free) < 2 or rank(moments, prime) != 2:
+            return
+        ring = self._framed.ring
+
+        def is_normal(way: Sequence[Polynomial]) -> bool:
+            return all(
+                ring.normal(_dot(screw.column[MOMENT], way)) == 0 for screw in free
+            )
+
+        axes = (a for a in features_of(self._framed).axes if a.point is not None)
+        axis = next((a for a in axes if is_normal(a.direction)), None)
+        lines = tuple(s for s in self._screws if s.is_line)
+        if axis is None or len(lines) < 2:
+            return
+        columns = tuple(
+            (*s.column[DIRECTION], ring.normal(_dot(s.column[MOMENT], axis.direction)))
+            for s in lines
+        )
+        yield View(
+            lines,
+            columns,
+            2,
+            lambda s, left, rows, p: dependent_along(axis.joint, s, left),
+        )
 
     @cached_property
     def _centres(self) -> list[NamedPoint]:
@@ -271,6 +303,10 @@ class Figures:
         if prod(sizes[: left + 1]) > _COSTLIEST:
             return None
         return [ring.normal(m) for m in minors_of_size(ring, columns, left + 1)]
+
+
+def _dot(a: Sequence[Polynomial], b: Sequence[Polynomial]) -> Polynomial:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def _circuits(

@@ -16,21 +16,30 @@ from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.points import Point as ExactPoint
-from screwkit.algebra.polynomial_text import equation_text
+from screwkit.algebra.points import residue
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.kinematics.frames import FramedTwists
-from screwkit.loci.conjunctions import Said, conjunction
-from screwkit.loci.features import FAR, LONG, Features, Statement, statements
+from screwkit.loci.conjunctions import conjunction
+from screwkit.loci.features import (
+    FAR,
+    LONG,
+    Features,
+    Statement,
+    statements,
+)
 from screwkit.loci.figures import Figures
+from screwkit.loci.local_conjunctions import up_to_others
 from screwkit.loci.pieces import Piece, pieces_of
 from screwkit.loci.placed_features import Residue, features_at, features_of
-from screwkit.loci.same_zeros import without_condition
+from screwkit.loci.said_together import Conjunction, Said, where_else
+from screwkit.loci.same_zeros import proviso, without_condition
 
 _GIVEN = "(given"
 _OF_TWO = ("line", "on", "coincide", "parallel", "perpendicular", "meet")
 _SHORT = 60  # terms of a statement that is looked at together with others
 _DEPENDENT = 20  # figures of one kind that are looked at together
+_LONG_LINES = 100  # terms of a minor of the lines of limbs
 _LARGEST = 400  # terms of a statement that is compared with a locus
 
 
@@ -43,17 +52,21 @@ class Meanings:
         root: Branch,
         library: FactorLibrary,
         figures: Sequence[Figures] = (),
-        figures_on: Callable[[Piece], Figures] | None = None,
+        figures_on: Callable[[Piece, bool], Figures] | None = None,
+        conditions: Sequence[Polynomial] = (),
     ) -> None:
         """What is looked at: axes and points, then figures of lines.
 
-        ``figures_on`` gives lines that a limb resists along on a piece alone.
+        ``figures_on`` gives lines that a limb resists along on a piece alone, rather
+        such as are lost nowhere if that is asked; ``conditions`` are those of single
+        limbs, each irreducible.
         """
         self._framed = framed
         self._root = root
         self._library = library
         self._figures = figures
         self._figures_on = figures_on
+        self._conditions = conditions
         self._found: dict[frozenset[str], str | None] = {}
         self._at: dict[tuple[int, ...], Features[Residue]] = {}
 
@@ -139,13 +152,14 @@ class Meanings:
         """Statements and figures that hold on the piece, as many as it takes."""
         if not all(branch.points for branch in piece.branches):
             return None
-        statements = self._said_of(piece)
-        found = conjunction(piece, statements, self._root, self._library, others)
+        given = self._root, self._library, others
+        found = conjunction(piece, self._said_of(piece), *given)
+        if found is None and self._figures_on is not None:
+            found = self._with_limbs_lines(piece, others)
         if found is None:
             return None
         words = list(found.words)
-        if found.elsewhere:
-            words[-1] += _here_and_there(found.elsewhere, len(others), before)
+        words[-1] += where_else(found, len(others), before)
         return words
 
     def _said_of(self, piece: Piece) -> Iterator[Said]:
@@ -154,7 +168,7 @@ class Meanings:
         short = [s for s in holding if s.kind in _OF_TWO]
         for statement in short:
             yield from self._said(statement)
-        own = [] if self._figures_on is None else [self._figures_on(piece)]
+        own = [] if self._figures_on is None else [self._figures_on(piece, False)]
         for figures in (*self._figures, *own):
             for words, minors in islice(figures.holding(piece), _DEPENDENT):
                 values = [primitive(m) for m in minors if m != 0]
@@ -163,6 +177,68 @@ class Meanings:
         for statement in holding:
             if statement.kind not in (*_OF_TWO, FAR):
                 yield from self._said(statement)
+
+    def _with_limbs_lines(
+        self, piece: Piece, others: Sequence[Piece]
+    ) -> Conjunction | None:
+        """Statements of single equations, and of lines that limbs resist along there.
+
+        Where each equation has one, together they are the piece as it is written.
+        """
+        equations = piece.equations
+        exact: dict[int, Said] = {}
+        for number, equation in enumerate(equations):
+            sentence = self._of_equation(equation)
+            if sentence is not None:
+                exact[number] = sentence, [equation]
+        lines = self._lines_of_limbs(piece)
+        ring = self._framed.ring
+        wanted = {condition_key(ring, e): n for n, e in enumerate(equations)}
+        for one in lines:
+            number = wanted.get(self._condition(one) or "", -1)
+            if number >= 0:
+                exact.setdefault(number, one)
+        named = [exact[number] for number in sorted(exact)]
+        if len(named) == len(equations):
+            return Conjunction(tuple(words for words, _ in named))
+        given = {str(equation) for equation in equations}
+        limbs = [
+            (sentence, [condition])
+            for condition in self._conditions
+            if str(condition) not in given and self._vanishes(condition, piece)
+            for sentence in [self._of_equation(condition)]
+            if sentence is not None
+        ]
+        said = [*named, *limbs, *lines]
+        return up_to_others(piece, said, self._root, self._library, others)
+
+    def _vanishes(self, condition: Polynomial, piece: Piece) -> bool:
+        return not any(
+            residue(condition, *point)
+            for branch in piece.branches
+            for point in branch.points
+        )
+
+    def _lines_of_limbs(self, piece: Piece) -> list[Said]:
+        if self._figures_on is None:
+            return []
+        found: list[Said] = []
+        figures = self._figures_on(piece, True)
+        for words, minors in islice(figures.holding(piece, 6), _DEPENDENT):
+            values = [primitive(m) for m in minors if m != 0]
+            if values and not any(len(v) > _LONG_LINES for v in values):
+                found.append((words, values))
+        return found
+
+    def _condition(self, said: Said) -> str | None:
+        """The key of the one condition that a statement is; None of others."""
+        _, values = said
+        if len(values) != 1:
+            return None
+        factors = possible_factors(self._root, values[0], self._library)
+        if len(factors) != 1 or len(factors[0].equations) != 1:
+            return None
+        return condition_key(self._framed.ring, factors[0].equations[0])
 
     def _said(self, statement: Statement) -> Iterator[Said]:
         scalars = self._scalars(statement)
@@ -173,14 +249,18 @@ class Meanings:
         """A sentence for each of the equations; empty where one has none."""
         sentences: list[str] = []
         for equation in piece.equations:
-            branches = restricted(self._root, equation)
-            if not branches or branches[0].is_special:
-                return []
-            sentence = self._alone(Piece((equation,), tuple(branches)))
+            sentence = self._of_equation(equation)
             if sentence is None:
                 return []
             sentences.append(sentence)
         return list(dict.fromkeys(sentences))
+
+    def _of_equation(self, equation: Polynomial) -> str | None:
+        """A sentence for an equation of a piece, for itself."""
+        branches = restricted(self._root, equation)
+        if not branches or branches[0].is_special:
+            return None
+        return self._alone(Piece((equation,), tuple(branches)))
 
     def _alone(self, piece: Piece) -> str | None:
         """A sentence without proviso: others of the equations may contradict it."""
@@ -253,9 +333,9 @@ class Meanings:
                 continue
             factors = possible_factors(self._root, scalars[0], self._library)
             others = without_condition(ring, factors, key)
-            if len(others) < len(factors) and all(len(p) <= 2 for p in others):
-                given = " and ".join(f"{equation_text(ring, p)} ≠ 0" for p in others)
-                return f"{statement.words} {_GIVEN} {given})"
+            given = proviso(ring, others) if len(others) < len(factors) else None
+            if given is not None:
+                return f"{statement.words} ({given})"
         return None
 
     def _features_at(self, point: ExactPoint, prime: int) -> Features[Residue]:
@@ -263,19 +343,6 @@ class Meanings:
         if key not in self._at:
             self._at[key] = features_at(self.features, point, prime)
         return self._at[key]
-
-
-def _here_and_there(elsewhere: Sequence[int], count: int, before: int | None) -> str:
-    """On which other components sentences hold."""
-    if before is None:
-        number = len(elsewhere)
-        which = "the" if number == count - 1 else f"{number}"
-        noun = "component" if number == 1 else "components"
-        return f" (here and on {which} other {noun} of the limb)"
-    *first, last = [str(before + number + 1) for number in elsewhere]
-    if not first:
-        return f" (here and on component {last})"
-    return f" (here and on components {', '.join(first)} and {last})"
 
 
 def _keys(piece: Piece) -> set[str]:

@@ -14,10 +14,12 @@ from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.loci.figures import Figures
 from screwkit.loci.limb_wrenches import wrench_screws
+from screwkit.loci.member_wrenches import member_wrenches
 from screwkit.loci.named_screws import NamedScrew, joint_screws
 from screwkit.loci.pieces import Piece
 from screwkit.loci.placed_features import features_of
 from screwkit.loci.placed_points import placed_at, placed_points, sample_points
+from screwkit.mechanism.model import Mechanism
 from screwkit.screw.vector import Vector, cross
 
 
@@ -35,9 +37,20 @@ def axes_of(
     return (Figures(framed, root, library, screws),)
 
 
-def figures_of(
-    assembly: Assembly, locked: Collection[str] = ()
+def graph_figures(
+    mechanism: Mechanism,
+    framed: FramedTwists,
+    root: Branch,
+    library: FactorLibrary,
+    locked: Collection[str] = (),
 ) -> tuple[Figures, Figures]:
+    """Of any joint graph: its axes, and the wrenches of members with two joints."""
+    members = partial(member_wrenches, mechanism, framed, locked)
+    own = Figures(framed, root, library, members)
+    return (*axes_of(framed, root, library), own)
+
+
+def figures_of(assembly: Assembly, locked: Collection[str] = ()) -> tuple[Figures, ...]:
     """What may become dependent with these joints locked.
 
     Two limbs make one loop, of which the axes say more than the wrenches.
@@ -50,20 +63,27 @@ def figures_of(
         lambda: wrench_screws(assembly, locked),
         lambda: held_points(assembly, locked),
     )
-    return (axes, wrenches) if len(assembly.limbs) < 3 else (wrenches, axes)
+    found = (axes, wrenches) if len(assembly.limbs) < 3 else (wrenches, axes)
+    if not assembly.has_blocks:
+        return found
+    members = partial(member_wrenches, assembly.mechanism, framed, locked)
+    return (*found, Figures(*given, members))
 
 
 def figures_on(
     assembly: Assembly, locked: Collection[str] = ()
-) -> Callable[[Piece], Figures]:
-    """What limbs transmit on a piece, where some have lost motions and resist more."""
+) -> Callable[[Piece, bool], Figures]:
+    """What limbs transmit on a piece, where some have lost motions and resist more.
+
+    Told to be firm it takes lines that are lost nowhere, where there are such.
+    """
     framed = assembly.common_twists
     given = framed, assembly.root(framed.ring), assembly.library(framed.ring)
 
-    def figures(piece: Piece) -> Figures:
+    def figures(piece: Piece, firm: bool) -> Figures:
         on = [point for branch in piece.branches for point in branch.points]
-        screws = partial(wrench_screws, assembly, locked, on)
-        return Figures(*given, screws, directions=True)
+        screws = partial(wrench_screws, assembly, locked, on, firm=firm)
+        return Figures(*given, screws, directions=True, forces=firm)
 
     return figures
 

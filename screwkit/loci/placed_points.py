@@ -11,12 +11,13 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import combinations
 from typing import Any
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.points import residue
-from screwkit.algebra.trigonometric import Polynomial
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.errors import ExpressionError
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.placed_features import features_of
@@ -36,6 +37,7 @@ class PlacedPoint:
         ideal: Whether it is a direction.
         arbitrary: Whether another point of its axis would do as well.
         written: Whether the file names it.
+        constructed: Whether it is the direction normal to two others.
     """
 
     name: str
@@ -43,6 +45,7 @@ class PlacedPoint:
     ideal: bool
     arbitrary: bool = False
     written: bool = False
+    constructed: bool = False
 
 
 def sample_points(root: Branch) -> list[tuple[Sequence[int], int]]:
@@ -129,6 +132,26 @@ def _same(
         if any((p[i] * q[j] - p[j] * q[i]) % prime for i in range(4) for j in range(i)):
             return False
     return True
+
+
+def normal_directions(
+    points: Sequence[PlacedPoint], own: Sequence[int], ring: TrigonometricRing
+) -> list[PlacedPoint]:
+    """The directions normal to two of a limb's own."""
+    ideal = [points[i] for i in own if points[i].ideal]
+    found = []
+    for one, other in combinations(ideal, 2):
+        a, b = one.coordinates, other.coordinates
+        normal = cross((a[0], a[1], a[2]), (b[0], b[1], b[2]))
+        values = [*map(ring.normal, normal), ring.zero]
+        if all(value == 0 for value in values):
+            continue
+        names = " and ".join(
+            p.name.removeprefix("the direction of axis ") for p in (one, other)
+        )
+        coordinates = tuple(ring.without_divisors(values))
+        found.append(PlacedPoint(names, coordinates, ideal=True, constructed=True))
+    return found
 
 
 def wrench_through(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:

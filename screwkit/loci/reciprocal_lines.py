@@ -8,7 +8,7 @@ References: [BenHorinShoham2006].
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from itertools import combinations
 from typing import TypeAlias
 
@@ -44,6 +44,7 @@ def reciprocal_lines(
     own: Sequence[int],
     points: Sequence[PlacedPoint],
     samples: Sequence[tuple[Sequence[int], int]],
+    is_firm: Callable[[Line], bool] | None = None,
 ) -> tuple[list[Line], int]:
     """Independent lines, and how many wrenches the limb has in general.
 
@@ -52,27 +53,37 @@ def reciprocal_lines(
         own: Numbers of its points.
         points: Of the mechanism.
         samples: Exact postures, not none; what holds at all of them holds always.
+        is_firm: Whether two points coincide nowhere, so that their line is never lost;
+            such lines come first.
     """
     placed = [Sample(placed_at(points, at, prime), prime) for at, prime in samples]
     wanted = 6 - max(len(twists) for twists in passive)
     pairs = sorted(
         combinations(own, 2),
         key=lambda pair: (
+            sum(points[i].constructed for i in pair),
             sum(points[i].arbitrary for i in pair),
             sum(points[i].ideal for i in pair),
         ),
     )
-    chosen: list[Line] = []
-    for a, b in pairs:
-        if len(chosen) == wanted:
-            break
-        reciprocal = all(
+
+    def is_reciprocal(pair: Line) -> bool:
+        a, b = pair
+        return all(
             not power(wrench_through(s.points[a], s.points[b]), twist) % s.prime
             for own_twists, s in zip(passive, placed, strict=True)
             for twist in own_twists
         )
-        if reciprocal and independent([*chosen, (a, b)], placed[0]):
-            chosen.append((a, b))
+
+    lines: Iterable[Line] = filter(is_reciprocal, pairs)
+    if is_firm is not None:
+        lines = sorted(lines, key=lambda line: not is_firm(line))
+    chosen: list[Line] = []
+    for line in lines:
+        if len(chosen) == wanted:
+            break
+        if independent([*chosen, line], placed[0]):
+            chosen.append(line)
     return chosen, wanted
 
 

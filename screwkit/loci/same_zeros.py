@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from itertools import islice
+from typing import Final
 
 from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.cases import MOST_TERMS, possible_factors
@@ -13,6 +15,7 @@ from screwkit.algebra.division import Divisor
 from screwkit.algebra.factors import Factor, FactorLibrary
 from screwkit.algebra.half_angle import HalfAngles
 from screwkit.algebra.nowhere_zero import without_nowhere_zero
+from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
@@ -24,6 +27,9 @@ LARGEST = 1_500
 _SQUARED = 40  # terms of polynomials whose squares are added up
 _FACTORED = 8  # polynomials that are looked at one by one
 _BUDGET = 40  # case distinctions
+_PROVISO = 2  # terms
+_BRACKETS: Final = re.compile(r"\([^()]*\)")
+_SIGNS: Final = re.compile(r" [+-] ")
 
 
 def zeros_beside(
@@ -127,3 +133,18 @@ def nowhere_zero(root: Branch) -> list[Polynomial]:
 def is_special(root: Branch, equation: Polynomial) -> bool:
     """Whether an equation ties the dimensions alone: a special mechanism."""
     return any(branch.is_special for branch in restricted(root, equation))
+
+
+def proviso(ring: TrigonometricRing, beside: Sequence[Polynomial]) -> str | None:
+    """``given z ≠ 0``; None where that is long, as it is written."""
+    texts = [equation_text(ring, equation) for equation in beside]
+    if not texts or any(_terms(one) > _PROVISO for one in texts):
+        return None
+    return "given " + " and ".join(f"{one} ≠ 0" for one in texts)
+
+
+def _terms(written: str) -> int:
+    """Terms of a sum, those in brackets not counted: 2 of ``cos(a + b) - 1``."""
+    while written != (shorter := _BRACKETS.sub("", written)):
+        written = shorter
+    return 1 + len(_SIGNS.findall(written))

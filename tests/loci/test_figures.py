@@ -19,12 +19,13 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.analyses.singularities import limb_singularities
 from screwkit.kinematics.assembly import Assembly
-from screwkit.loci.conjunctions import Conjunction, conjunction
+from screwkit.loci.conjunctions import conjunction
 from screwkit.loci.features import Axis, Features, Point, statements
 from screwkit.loci.figure_words import dependent, dependent_about
 from screwkit.loci.limb_wrenches import wrench_screws
 from screwkit.loci.named_screws import AXIS, JOIN, SLIDE, NamedScrew, called
 from screwkit.loci.pieces import Piece
+from screwkit.loci.said_together import Conjunction
 from screwkit.loci.same_zeros import LARGEST, zeros_beside
 from screwkit.results.singularities import Singularities
 
