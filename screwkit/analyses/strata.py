@@ -32,6 +32,7 @@ from screwkit.analyses.strata_parts import (
 from screwkit.errors import ExpressionError
 from screwkit.loci.canonical import in_known_conditions
 from screwkit.loci.meetings import Meeting, Meetings, is_inside, recovered, same_set
+from screwkit.loci.on_all_places import on_all_places
 from screwkit.loci.pieces import Piece
 from screwkit.loci.platform_state import States
 from screwkit.loci.wording import equations_of, solved_equations
@@ -163,6 +164,8 @@ class _Stratification:
         itself = self._labels[number] if number < len(self._places) else []
         if not itself:
             piece = self._in_words_of(piece, [self._places[n] for n in wide])
+            around = [self._places[n] for n in sorted(meeting.places)]
+            piece = on_all_places(piece, self._root, around, self._search)
         texts = equations_of(piece)
         shown = {text for n in wide for text in equations_of(self._places[n])}
         extra = () if itself else tuple(text for text in texts if text not in shown)

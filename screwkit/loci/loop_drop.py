@@ -17,7 +17,7 @@ from itertools import product
 from typing import TypeAlias
 
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.decomposition import beside_special, common_zeros
+from screwkit.algebra.decomposition import beside_special, common_zeros, other_parts
 from screwkit.algebra.points import rank_at
 from screwkit.algebra.search import Search, imposed
 from screwkit.algebra.trigonometric import Polynomial
@@ -44,6 +44,7 @@ _EFFORT = 1_200  # case distinctions in all; long polynomials count more
 _BUDGET = 150  # case distinctions on one branch
 _EARNED = 400  # more, for each branch that was decided with angles kept
 _TOGETHER = 120  # case distinctions to meet the equations of some strata
+_BESIDE = 30  # case distinctions for parts of a branch that its points do not show
 
 
 Lost: TypeAlias = Callable[[LoopState, LoopState], bool]
@@ -297,6 +298,19 @@ def _visit(root: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
                 _examine(part, chosen, walk)
 
 
+def _unshown(branch: Branch, search: Search) -> Sequence[Branch]:
+    """Parts of a branch that its points do not show, as far as they are found.
+
+    Two legs from one place to one place are stretched along one line, or of length 0:
+    where the former is known, the latter is not.
+    """
+    if len(branch.pending) < 2:
+        return ()
+    own = replace(search, found=[], unfinished=[], special=[], budget=_BESIDE)
+    found = other_parts(branch, own) or ()
+    return [part for part in found if part.points]
+
+
 def _untied(branch: Branch, walk: _Walk) -> Sequence[Branch]:
     """The branch, or what of it ties no dimensions."""
     if not branch.is_special:
@@ -320,6 +334,7 @@ def _branches_where(
     for stratum in chosen:
         for equation in stratum.equations:
             branches = [b for a in branches for b in imposed(a, equation, search)]
+        branches = [*branches, *(p for b in branches for p in _unshown(b, search))]
     if all(len(b.pending) < 2 or b.points for b in branches):
         return branches
     equations = [equation for stratum in chosen for equation in stratum.equations]

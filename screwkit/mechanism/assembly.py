@@ -178,7 +178,7 @@ def _joint(
         point=vector("point"),
         normal=normal,
         line=vector("line"),
-        pitch=None if pitch is None else reading.scalar((*path, "pitch"), pitch),
+        pitch=None if pitch is None else reading.length((*path, "pitch"), pitch),
     )
 
 
@@ -194,8 +194,12 @@ def _offsets(
         )
         return (ZERO,) * count
     is_list = not isinstance(find(reading.root, inner), Scalar)
+    slides = entry.type == JointType.PRISMATIC
+    read_as = reading.length if slides else reading.angle
+    if count > 1:  # No table places such a joint, and other files have no offsets.
+        read_as = reading.scalar
     read = [
-        reading.scalar((*inner, i) if is_list else inner, text)
+        read_as((*inner, i) if is_list else inner, text)
         for i, text in enumerate(written)
     ]
     return tuple(e if e is not None else ZERO for e in read) or (ZERO,) * count
@@ -205,8 +209,12 @@ def _row(entry: MdhEntry | None, path: Path, reading: Reading) -> MdhRow | None:
     if entry is None:
         return None
     read = {
-        key: reading.scalar((*path, key), getattr(entry, key))
-        for key in ("gamma", "b", "alpha", "d", "theta", "r")
+        key: read_as((*path, key), getattr(entry, key))
+        for read_as, keys in (
+            (reading.angle, ("gamma", "alpha", "theta")),
+            (reading.length, ("b", "d", "r")),
+        )
+        for key in keys
     }
     return MdhRow(**{key: e if e is not None else ZERO for key, e in read.items()})
 

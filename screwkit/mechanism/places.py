@@ -112,7 +112,7 @@ def _from_axis(entry: RotationEntry, path: Path, reading: Reading) -> Matrix | N
     if entry.axis is None or entry.angle is None:
         reading.fault(path, "a rotation by axis has the keys axis and angle")
         return None
-    angle = reading.scalar((*path, "angle"), entry.angle)
+    angle = reading.angle((*path, "angle"), entry.angle)
     if isinstance(entry.axis, str) and entry.axis in _UNITS:
         axis: VectorExpression | None = _UNITS[entry.axis]
     else:
@@ -142,7 +142,7 @@ def _from_euler(entry: RotationEntry, path: Path, reading: Reading) -> Matrix | 
         return None
     rotation = IDENTITY
     for i, (letter, text) in enumerate(zip(order, entry.angles, strict=True)):
-        angle = reading.scalar((*path, "angles", i), text)
+        angle = reading.angle((*path, "angles", i), text)
         if angle is None:
             return None
         rotation = _times(rotation, _about(_UNITS[letter], angle))
@@ -155,7 +155,7 @@ def _from_quaternion(
     if len(texts) != 4:
         reading.fault(path, f"a quaternion has four entries, not {len(texts)}")
         return None
-    read = [reading.scalar((*path, i), text) for i, text in enumerate(texts)]
+    read = [reading.length((*path, i), text) for i, text in enumerate(texts)]
     parts = [part for part in read if part is not None]
     if len(parts) != 4:
         return None
@@ -265,7 +265,8 @@ def read_places(
         if name in circular:
             through = min(needs[name] & circular)
             reading.fault_at_key(
-                (group, name), f"{group}: {name!r} depends on itself ({through!r})"
+                (group, name),
+                f"{group}: {name!r} depends on itself through {through!r}",
             )
         elif name in reading.vectors:
             results[group][name] = reading.vectors[name]

@@ -19,6 +19,7 @@ from screwkit.algebra.parse import parse, parse_vector
 from screwkit.algebra.tokens import names_in
 from screwkit.algebra.vector_expression import VectorExpression
 from screwkit.errors import ExpressionError
+from screwkit.mechanism.angle_places import misplaced
 from screwkit.mechanism.nodes import Faults, Node, Path, Place, key_place_of, place_of
 from screwkit.mechanism.requirements import Requirement, requirements_of
 from screwkit.mechanism.structure import subject
@@ -34,6 +35,7 @@ _FOR_VECTORS: Final = f"{_FOR_NUMBERS}, or as one of the `points` or `vectors`"
 _NUMBER: Final = re.compile(
     r"(?P<above>-?[0-9]{1,15}(?:\.[0-9]{1,15})?)(?:/(?P<below>[0-9]{1,15}))?"
 )
+_FUNCTION: Final = re.compile(r"(?:sin|cos|tan|atan2)\s*\(")
 
 
 def _may_be_anywhere(_question: str) -> str:
@@ -119,6 +121,32 @@ class Reading:
         self._read[text, allowed] = read
         return read
 
+    def angle(self, path: Path, text: str) -> Expression | None:
+        """The angle at ``path``, in radians; None after a fault."""
+        read = self.scalar(path, text)
+        return read if self._are_in_place(path, text, read, angle=True) else None
+
+    def length(self, path: Path, text: str) -> Expression | None:
+        """The number at ``path`` that is no angle; None after a fault."""
+        read = self.scalar(path, text)
+        return read if self._are_in_place(path, text, read, angle=False) else None
+
+    def _are_in_place(
+        self, path: Path, text: str, *read: Expression | None, angle: bool
+    ) -> bool:
+        """Report angles that have no exact sense, unless numbers may yet give them one.
+
+        Named vectors were looked at where they are written.
+        """
+        if self.outside.replaced or not (angle or _FUNCTION.search(text)):
+            return True
+        for expression in read:
+            words = "" if expression is None else misplaced(expression, angle=angle)
+            if words:
+                self.fault(path, words)
+                return False
+        return True
+
     def vector(
         self, path: Path, written: str | tuple[str, ...]
     ) -> VectorExpression | None:
@@ -131,11 +159,13 @@ class Reading:
             except ExpressionError as error:
                 self.fault(path, str(error), error.position)
                 return None
-            return vector if self._has_sense(path, *vector) else None
+            fine = self._has_sense(path, *vector)
+            fine = fine and self._are_in_place(path, written, *vector, angle=False)
+            return vector if fine else None
         if len(written) == 2 and not self.planar:
             self.fault(path, "a vector has three coordinates, but 2 were found")
             return None
-        read = [self.scalar((*path, i), text) for i, text in enumerate(written)]
+        read = [self.length((*path, i), text) for i, text in enumerate(written)]
         x, y, z = [*read, ZERO] if len(read) == 2 else read
         return None if x is None or y is None or z is None else (x, y, z)
 

@@ -326,6 +326,78 @@ def test_what_is_left_open_is_told_and_makes_the_answer_undecided() -> None:
     assert not is_plain_yes(replace(whole, strata=opened))
 
 
+SWUNG = """
+screwkit: 1
+name: swung
+space: planar
+geometry: posture
+base: base
+platform: platform
+links: [base, platform, slider, rod, crank, link]
+parameters:
+  l: {value: 2, positive: true}
+variables:
+  x: 0.3
+  y: 0.7
+  s: 0.5
+  phi: {value: 0.2, angle: true}
+  theta: {value: 2.1, angle: true}
+pose: {translation: [x, y], rotation: {axis: z, angle: phi}}
+vectors:
+  u: [cos(theta), sin(theta)]
+  d: [3, 4]
+points:
+  A: [4, 0]
+  B: {link: platform, at: [1, 0]}
+  C: A + l*u
+  D: s*d
+  P: {link: platform, at: [0, 0]}
+joints:
+  - {name: P1, type: prismatic, parent: base, child: slider, axis: d}
+  - {name: R1, type: revolute, parent: slider, child: rod, point: D}
+  - {name: R2, type: revolute, parent: rod, child: platform, point: P}
+  - {name: A, type: revolute, parent: base, child: crank, point: A}
+  - {name: C, type: revolute, parent: crank, child: link, point: C}
+  - {name: B, type: revolute, parent: link, child: platform, point: B}
+actuated: [P1, R1, A]
+"""
+
+
+def test_equations_of_a_stratum_hold_on_all_its_conditions_alone() -> None:
+    """By hand: C and B in one point are on two conditions, in one height on neither.
+
+    The arm A C B is singular where its points are on one line, the platform moves where
+    P, C and B are.  Turned upright (phi = 0) the latter says that C and B are equally
+    high, whatever x is, and the arm is bent.
+    """
+    answer = sk.singularities(load_text(SWUNG), strata=2)
+    assert answer.strata is not None
+    arm = {"A", "C", "B"}
+    name = next(one.limb for one in answer.limb if arm == set(one.joints))
+    on_both = [
+        one
+        for one in answer.strata.strata
+        if {m.part for m in one.members} == {"limb", "actuation"}
+        and {m.limb for m in one.members} == {name, ""}
+    ]
+    assert len(on_both) == 2
+
+    def met(posture: Mapping[str, float]) -> int:
+        at = {"l": 2.0, "s": 0.1, **posture}
+        return sum(
+            max(abs(value(text, at)) for text in one.equations) < NOTHING
+            for one in on_both
+        )
+
+    theta = 0.7
+    height, reach = 2 * np.sin(theta), 4 + 2 * np.cos(theta)
+    bent = {"phi": 0.0, "theta": theta, "x": 1.3, "y": height}
+    assert met(bent) == 0
+    for phi in (0.4, 2.0):
+        in_one_point = {"x": reach - np.cos(phi), "y": height - np.sin(phi)}
+        assert met({"phi": phi, "theta": theta, **in_one_point}) == 1
+
+
 def test_a_slice_has_no_strata() -> None:
     ran = CliRunner().invoke(
         app,
