@@ -10,8 +10,10 @@ The frame alone is worth a factor of 4 to 24 (docs/decisions/0003-frames.md).
 from __future__ import annotations
 
 from collections.abc import Collection
+from contextlib import suppress
 from dataclasses import dataclass
 
+from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import (
     Polynomial,
@@ -19,6 +21,7 @@ from screwkit.algebra.trigonometric import (
     plain_basis,
 )
 from screwkit.conventions import DIRECTION, MOMENT
+from screwkit.errors import ExpressionError
 from screwkit.kinematics.freedoms import JointTwist
 from screwkit.kinematics.parallel_axes import parallel_basis
 from screwkit.kinematics.placement import joint_twists
@@ -39,6 +42,7 @@ class FramedTwists:
         limbs: Labels limb by limb, where several limbs are placed together.
         balls: Joints that turn about a point in every way, and their rotations, which
             are no axes of their own.
+        places: Points that the file names, where they are known in this frame.
     """
 
     ring: TrigonometricRing
@@ -48,6 +52,7 @@ class FramedTwists:
     points: tuple[Vector[Polynomial], ...]
     limbs: tuple[tuple[str, ...], ...] = ()
     balls: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    places: tuple[tuple[str, Vector[Polynomial]], ...] = ()
 
     def limb_of(self, joint: str) -> int:
         """Number of the limb of a joint; 0 where there is only one."""
@@ -116,7 +121,20 @@ def framed_twists(
         tuple(_column(twists[name], ring) for name in ordered),
         tuple(twists[name].point for name in ordered),
         balls=balls_among(mechanism, joints),
+        places=_places(mechanism, ring) if origin == mechanism.base else (),
     )
+
+
+def _places(
+    mechanism: Mechanism, ring: TrigonometricRing
+) -> tuple[tuple[str, Vector[Polynomial]], ...]:
+    """The points of the file that the ring can express."""
+    found = []
+    for name, written in mechanism.points.items():
+        with suppress(ExpressionError, KeyError):
+            x, y, z = (ring.normal(evaluate(part, ring)) for part in written)
+            found.append((name, (x, y, z)))
+    return tuple(found)
 
 
 def balls_among(

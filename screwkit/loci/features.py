@@ -52,6 +52,7 @@ class Point(Generic[S]):
         own: Those of them that it is named after, all of one limb.
         called: The name of a centre; empty where the axes name the point.
         limb: Number of the limb that it is named after.
+        written: What the file calls the point in which axes meet; empty if nothing.
     """
 
     joints: tuple[str, ...]
@@ -59,11 +60,16 @@ class Point(Generic[S]):
     position: Vector[S]
     called: str = ""
     limb: int = 0
+    written: str = ""
 
     @property
     def name(self) -> str:
         """The point in words."""
-        return self.called or f"the common point of axes {listed(self.own)}"
+        return (
+            self.called
+            or self.written
+            or f"the common point of axes {listed(self.own)}"
+        )
 
 
 @dataclass(frozen=True)
@@ -257,9 +263,8 @@ def _adjacent(axes: Sequence[str], i: str, j: str) -> bool:
 def _of(features: Features[S], first: int, number: int) -> str:
     """A point after another: ``the common point of … and that of axes 3 and 4``."""
     point = features.points[number]
-    if point.called or features.points[first].called:
-        return point.name
-    return f"that of axes {listed(point.own)}"
+    is_named = [p.called or p.written for p in (point, features.points[first])]
+    return point.name if any(is_named) else f"that of axes {listed(point.own)}"
 
 
 def _same_line(i: str, j: str) -> Callable[[Features[S]], Sequence[S]]:

@@ -109,6 +109,7 @@ def features_of(framed: FramedTwists) -> Features[Polynomial]:
             points = [p for p in points if p.called or not set(p.joints) < set(through)]
             own = tuple(j for j in through if framed.limb_of(j) == axis.limb)
             points.append(Point(through, own, axis.point, limb=axis.limb))
+    points = [_as_written(framed, point) for point in points]
     planes = []
     for number, corner in enumerate(points):
         for i in range(len(corner.joints)):
@@ -117,6 +118,17 @@ def features_of(framed: FramedTwists) -> Features[Polynomial]:
                 if _distinct_directions(ring, axes, (a, b)) > 1:
                     planes.append((a, b, number))
     return Features(tuple(axes), tuple(points), tuple(planes))
+
+
+def _as_written(framed: FramedTwists, point: Point[Polynomial]) -> Point[Polynomial]:
+    """A point in which axes meet with the name that it has in the file."""
+    if point.called:
+        return point
+    normal = framed.ring.normal
+    for name, place in framed.places:
+        if all(normal(x) == 0 for x in subtract(place, point.position)):
+            return replace(point, written=name)
+    return point
 
 
 def _distinct_directions(
