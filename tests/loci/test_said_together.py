@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 import pytest
-from loci.numeric import Array
+from loci.numeric import Array, value
 
 import screwkit as sk
 from screwkit.algebra.branches import Branch
@@ -162,7 +161,6 @@ def test_an_instant_centre_is_where_lines_meet() -> None:
         "F, meet in one point or are parallel"
     )
     (equation,) = component.equations
-    code = compile(equation.replace("^", "**"), "equation", "eval")
     for _ in range(10):
         b, c, e, (d, t) = SOURCE.uniform(1, 5, (4, 2))
         # a B = D + b (C - D): the centre on both lines.
@@ -171,8 +169,8 @@ def test_an_instant_centre_is_where_lines_meet() -> None:
         names = dict(
             zip(("xb", "yb", "xc", "yc", "xe", "ye"), [*b, *c, *e], strict=True)
         )
-        on = eval(code, {"d": d, "xf": f[0], "yf": f[1], **names})
-        off = eval(code, {"d": d, "xf": f[0] + 1, "yf": f[1], **names})
+        on = value(equation, {"d": d, "xf": f[0], "yf": f[1], **names})
+        off = value(equation, {"d": d, "xf": f[0] + 1, "yf": f[1], **names})
         assert abs(on) < 1e-6 * max(1.0, abs(off))
 
 
@@ -203,29 +201,27 @@ def test_forces_normal_to_two_directions_have_a_name() -> None:
     (component,) = answer.components
     assert "through O normal to axes U11:1 and P42 are" in (component.geometry or "")
     (equation,) = component.equations
-    code = compile(equation.replace("^", "**"), "equation", "eval")
-    known = {"sin": np.sin, "cos": np.cos, "a": 4.0, "b": 1.0}
     found = 0
     for alpha, beta in SOURCE.uniform(-1, 1, (12, 2)):
-        names = {"alpha": alpha, "beta": beta, **known}
+        names = {"alpha": alpha, "beta": beta, "a": 4.0, "b": 1.0}
 
-        def value(h: float, names: dict[str, Any] = names) -> float:
-            return float(eval(code, {"h": h, **names}))
+        def at(h: float, names: dict[str, float] = names) -> float:
+            return value(equation, {"h": h, **names})
 
         heights = np.linspace(-6, 6, 60)
         for low, high in pairwise(heights):
-            if value(low) * value(high) < 0:
-                h = _root(value, low, high)
+            if at(low) * at(high) < 0:
+                h = _root(at, low, high)
                 on, off = (_tricept(h + d, alpha, beta) for d in (0.0, 0.5))
                 assert abs(on) < 1e-7 * max(1.0, abs(off))
                 found += 1
     assert found > 5
 
 
-def _root(value: Callable[[float], float], low: float, high: float) -> float:
+def _root(at: Callable[[float], float], low: float, high: float) -> float:
     for _ in range(80):
         middle = (low + high) / 2
-        if value(low) * value(middle) <= 0:
+        if at(low) * at(middle) <= 0:
             high = middle
         else:
             low = middle
