@@ -6,7 +6,7 @@ only an equivalent one is called its meaning.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property
 from itertools import islice
 
@@ -16,23 +16,16 @@ from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.points import Point as ExactPoint
-from screwkit.algebra.points import residue
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.kinematics.frames import FramedTwists
 from screwkit.loci.conjunctions import conjunction
-from screwkit.loci.features import (
-    FAR,
-    LONG,
-    Features,
-    Statement,
-    statements,
-)
+from screwkit.loci.features import FAR, LONG, Features, Statement, statements
 from screwkit.loci.figures import Figures
 from screwkit.loci.local_conjunctions import up_to_others
 from screwkit.loci.pieces import Piece, pieces_of
 from screwkit.loci.placed_features import Residue, features_at, features_of
-from screwkit.loci.said_together import Conjunction, Said, where_else
+from screwkit.loci.said_together import Conjunction, Said, is_met, where_else
 from screwkit.loci.same_zeros import proviso, without_condition
 
 _GIVEN = "(given"
@@ -170,10 +163,7 @@ class Meanings:
             yield from self._said(statement)
         own = [] if self._figures_on is None else [self._figures_on(piece, False)]
         for figures in (*self._figures, *own):
-            for words, minors in islice(figures.holding(piece), _DEPENDENT):
-                values = [primitive(m) for m in minors if m != 0]
-                if values and not any(len(v) > _SHORT for v in values):
-                    yield words, values
+            yield from _dependent(figures.holding(piece), _SHORT)
         for statement in holding:
             if statement.kind not in (*_OF_TWO, FAR):
                 yield from self._said(statement)
@@ -205,30 +195,18 @@ class Meanings:
         limbs = [
             (sentence, [condition])
             for condition in self._conditions
-            if str(condition) not in given and self._vanishes(condition, piece)
+            if str(condition) not in given and is_met(("", [condition]), piece)
             for sentence in [self._of_equation(condition)]
             if sentence is not None
         ]
         said = [*named, *limbs, *lines]
         return up_to_others(piece, said, self._root, self._library, others)
 
-    def _vanishes(self, condition: Polynomial, piece: Piece) -> bool:
-        return not any(
-            residue(condition, *point)
-            for branch in piece.branches
-            for point in branch.points
-        )
-
     def _lines_of_limbs(self, piece: Piece) -> list[Said]:
         if self._figures_on is None:
             return []
-        found: list[Said] = []
         figures = self._figures_on(piece, True)
-        for words, minors in islice(figures.holding(piece, 6), _DEPENDENT):
-            values = [primitive(m) for m in minors if m != 0]
-            if values and not any(len(v) > _LONG_LINES for v in values):
-                found.append((words, values))
-        return found
+        return [*_dependent(figures.holding(piece, 6), _LONG_LINES)]
 
     def _condition(self, said: Said) -> str | None:
         """The key of the one condition that a statement is; None of others."""
@@ -343,6 +321,16 @@ class Meanings:
         if key not in self._at:
             self._at[key] = features_at(self.features, point, prime)
         return self._at[key]
+
+
+def _dependent(
+    holding: Iterable[tuple[str, Sequence[Polynomial]]], longest: int
+) -> Iterator[Said]:
+    """Figures that hold on a piece with what vanishes there, long ones left out."""
+    for words, minors in islice(holding, _DEPENDENT):
+        values = [primitive(minor) for minor in minors if minor != 0]
+        if values and not any(len(value) > longest for value in values):
+            yield words, values
 
 
 def _keys(piece: Piece) -> set[str]:

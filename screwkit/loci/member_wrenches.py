@@ -92,7 +92,7 @@ def _pairs(
 
 
 def _hinge(framed: FramedTwists, mechanism: Mechanism, name: str) -> _Hinge | None:
-    joint = next(j for j in mechanism.joints if j.name == name)
+    joint = mechanism.joint(name)
     labels = freedom_labels(joint, mechanism.space)
     ball = name in dict(framed.balls) and len(labels) == 3
     if not ball and len(labels) != 1:

@@ -15,10 +15,8 @@ from itertools import combinations
 from typing import Any
 
 from screwkit.algebra.branches import Branch
-from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.points import residue
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
-from screwkit.errors import ExpressionError
 from screwkit.kinematics.assembly import Assembly
 from screwkit.loci.placed_features import features_of
 from screwkit.screw.vector import cross
@@ -91,14 +89,9 @@ def _candidates(assembly: Assembly) -> Iterator[tuple[PlacedPoint, set[int]]]:
         cleared = ring.without_divisors([*position, ring.one])
         return PlacedPoint(name, tuple(cleared), ideal=False)
 
-    named = []
-    if framed.origin == assembly.mechanism.base:
-        for name, written in assembly.mechanism.points.items():
-            try:
-                values = [ring.normal(evaluate(part, ring)) for part in written]
-            except (ExpressionError, KeyError):
-                continue
-            named.append(replace(homogeneous(name, values), written=True))
+    named = [
+        replace(homogeneous(name, place), written=True) for name, place in framed.places
+    ]
     for place in features.points:
         labels = list(place.joints)
         for joint, own in balls.items():
