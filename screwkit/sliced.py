@@ -10,11 +10,12 @@ from screwkit.algebra.names import limb_called
 from screwkit.case import Case
 from screwkit.errors import ScrewkitError
 from screwkit.kinematics.values import with_values
+from screwkit.mechanism.model import Mechanism
 from screwkit.reports.draw_slice import slice_picture
 from screwkit.reports.figures import FORMS
 from screwkit.reports.output import write
 from screwkit.results.singularities import Singularities
-from screwkit.sweeps.slices import curves_of, slice_of, slicing_of
+from screwkit.sweeps.slices import Slicing, curves_of, slice_of, slicing_of
 
 
 def sliced_singularities(
@@ -45,7 +46,7 @@ def sliced_singularities(
         )
     slicing = slicing_of(case.mechanism, slices)
     mechanism = with_values(case.mechanism, slicing.fixed)
-    inside = Case(mechanism, case.wanted, case.path, case.given)
+    inside = Case(_varied(mechanism, slicing), case.wanted, case.path, case.given)
     answer = question(inside)
     curves = curves_of(answer, slicing)
     drawn = slice_of(answer, slicing, curves)
@@ -60,6 +61,15 @@ def sliced_singularities(
     )
     write(output, content)
     return replace(answer, slice=replace(drawn, file=str(output)))
+
+
+def _varied(mechanism: Mechanism, slicing: Slicing) -> Mechanism:
+    """A dimension that varies in a slice is no fixed one: its values are the locus."""
+    varied = {axis.name for axis in slicing.axes}
+    parameters = tuple(
+        replace(p, free=p.free or p.name in varied) for p in mechanism.parameters
+    )
+    return replace(mechanism, parameters=parameters)
 
 
 def _lost_everywhere(case: Case, inside: Case) -> list[str]:

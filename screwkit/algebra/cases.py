@@ -35,6 +35,8 @@ _POSSIBLE: WeakKeyDictionary[
     FactorLibrary, dict[tuple[Assumptions, str], tuple[Factor, ...]]
 ] = WeakKeyDictionary()
 
+_DIVISORS: WeakKeyDictionary[FactorLibrary, frozenset[str]] = WeakKeyDictionary()
+
 MOST_TERMS = 4_000_000
 """Terms of a polynomial that is expanded, divided, or factored without sines."""
 
@@ -277,7 +279,8 @@ def possible_factors(
 ) -> list[Factor]:
     """The irreducible factors that can vanish under the branch's assumptions.
 
-    A square root vanishes where its radicand does, whose factors stand for it.
+    A square root vanishes where its radicand does, whose factors stand for it.  What
+    the geometry divides by, such as the square of a quaternion, vanishes nowhere.
     """
     if branch.ring.radicands or len(polynomial) > SHORT:
         return _possible_factors(branch, polynomial, library)
@@ -292,8 +295,11 @@ def _possible_factors(
     branch: Branch, polynomial: Polynomial, library: FactorLibrary
 ) -> list[Factor]:
     factored = factor(branch.ring, polynomial, library)
+    divisors = _factors_of_divisors(branch.ring, library)
     found: dict[str, Factor] = {}
     for part, _ in factored.factors:
+        if part.key in divisors:
+            continue
         radicand = _radicand(branch, part.equations[0])
         if radicand is not None:
             inside = branch.value(branch.ring.without_divisors([radicand])[0])
@@ -303,6 +309,23 @@ def _possible_factors(
         if not branch.assumptions.is_nonzero(branch.ring, part.equations[0]):
             found[part.key] = part
     return list(found.values())
+
+
+def _factors_of_divisors(
+    ring: TrigonometricRing, library: FactorLibrary
+) -> frozenset[str]:
+    """Keys of the factors of what the geometry divides by."""
+    if not ring.divisors_of:
+        return frozenset()
+    if library not in _DIVISORS:
+        plain = [ring.cleared([value])[0][0] for value in ring.divisors_of.values()]
+        _DIVISORS[library] = frozenset(
+            part.key
+            for value in plain
+            if value != 0 and len(value) <= SHORT
+            for part, _ in factor(ring, value, library).factors
+        )
+    return _DIVISORS[library]
 
 
 def _radicand(branch: Branch, polynomial: Polynomial) -> Polynomial | None:

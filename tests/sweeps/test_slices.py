@@ -24,6 +24,7 @@ from screwkit.kinematics.values import with_values
 from screwkit.reports.draw_slice import chains, legend_text, slice_picture
 from screwkit.reports.records import from_json, to_json
 from screwkit.results.singularities import Component, Singularities
+from screwkit.sliced import sliced_singularities
 from screwkit.sweeps.slices import curves_of, slice_of, slicing_of
 from screwkit.sweeps.zero_lines import zero_lines
 
@@ -308,3 +309,32 @@ def test_the_command_draws_a_slice(
     assert "-o FILE" in capsys.readouterr().err
     assert screwkit("3rpr_planar", "-o", place) == 2
     assert screwkit("3rpr_planar", *ranges, "-o", str(tmp_path / "slice.txt")) == 2
+
+
+def test_a_dimension_that_varies_may_be_singular(tmp_path: Path) -> None:
+    """Struts along y = 0 and y = 3 and one that rises by c − 1: parallel at c = 1."""
+    legs = [
+        f"  - {{name: R{k}, type: revolute, parent: base, child: a{k}, point: A{k}}}\n"
+        f"  - {{name: P{k}, type: prismatic, parent: a{k}, child: b{k}, axis: l{k}}}\n"
+        f"  - {{name: Q{k}, type: revolute, parent: b{k}, child: top, point: B{k}}}\n"
+        for k in "123"
+    ]
+    path = tmp_path / "struts.yaml"
+    path.write_text(
+        "screwkit: 1\nname: struts\nspace: planar\ngeometry: posture\n"
+        "base: base\nplatform: top\nlinks: [base, top, a1, b1, a2, b2, a3, b3]\n"
+        "parameters: {c: 2}\nvariables: {x: 2}\npose: {translation: [x, 0, 0]}\n"
+        "points:\n  A1: [0, 0, 0]\n  A2: [0, 3, 0]\n  A3: [0, 1, 0]\n"
+        "  B1: {link: top, at: [0, 0, 0]}\n  B2: {link: top, at: [0, 3, 0]}\n"
+        "  B3: {link: top, at: [0, c, 0]}\n"
+        "vectors: {l1: B1 - A1, l2: B2 - A2, l3: B3 - A3}\n"
+        f"joints:\n{''.join(legs)}actuated: [P1, P2, P3]\n"
+    )
+    ranges = "x=1:5:9", "c=0:4:9"
+    answer = sliced_singularities(
+        sk.load(path), ranges, tmp_path / "struts.svg", sk.singularities
+    )
+    assert answer.slice is not None
+    (drawn,) = answer.slice.components
+    assert (drawn.parts, drawn.equations) == (("actuation",), ("c - 1",))
+    assert drawn.segments == 8
