@@ -1,13 +1,15 @@
 """Exact division of trigonometric polynomials.
 
 The norm of a divisor, its product with the images under s → −s, contains no sine, and
-divides as an ordinary polynomial; where it is long, half angles divide instead.  What
-is not zero at a zero of the divisor, modulo a prime, is refused before all that.
+divides as an ordinary polynomial; where it is long, half angles divide instead.  An
+algebraic number of higher degree is a coefficient in long division.  What is not zero
+at a zero of the divisor, modulo a prime, is refused before all that.
 """
 
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 from functools import cached_property
 from typing import Final
 
@@ -15,6 +17,7 @@ from flint.utils.flint_exceptions import DomainError
 
 from screwkit.algebra.half_angle import HalfAngles
 from screwkit.algebra.modular import random_prime
+from screwkit.algebra.number_division import quotient_over
 from screwkit.algebra.points import Point, random_point, residue
 from screwkit.algebra.points_on import moved_onto
 from screwkit.algebra.remembered import remembered
@@ -48,12 +51,13 @@ class Divisor:
         roots = [i for i in layout.constants if degrees[i]]
         self._normed = all(len(minimal[i]) == 3 and minimal[i][1] == 0 for i in roots)
         sines = [s for s, _ in layout.angles if degrees[s]]
-        self._signs = (*sines, *roots)
+        self._number = _only_number(ring, roots) if not self._normed else None
+        self._signs = (*sines, *(roots if self._normed else ()))
         self._largest = LARGEST_OF_ROOTS if roots else LARGEST_NORM
 
     def divide(self, polynomial: Polynomial) -> Polynomial | None:
         """The quotient, or None where the division was not found to be exact."""
-        if not self._signs:
+        if not self._signs and self._number is None:
             return exact_quotient(polynomial, self.polynomial)
         if self._zero is not None and residue(polynomial, *self._zero):
             return None
@@ -64,7 +68,11 @@ class Divisor:
         if norm is None:
             return self._halves.quotient(polynomial, self.polynomial)
         whole, cofactor = norm
-        return exact_quotient(self._ring.normal(polynomial * cofactor), whole)
+        multiple = self._ring.normal(polynomial * cofactor)
+        if self._number is None:
+            return exact_quotient(multiple, whole)
+        place, minimal = self._number
+        return quotient_over(multiple, whole, place, minimal)
 
     @cached_property
     def _zero(self) -> tuple[Point, int] | None:
@@ -72,7 +80,7 @@ class Divisor:
 
     @cached_property
     def _norm(self) -> tuple[Polynomial, Polynomial] | None:
-        if not self._normed:
+        if not self._normed and self._number is None:
             return None
         return _norm_of(self._ring, (self._signs, self._largest), self.polynomial)
 
@@ -115,6 +123,20 @@ def _norm_of(
         cofactor = ring.normal(cofactor * mirrored)
         norm = ring.normal(norm * mirrored)
     return norm, cofactor
+
+
+def _only_number(
+    ring: TrigonometricRing, places: Sequence[int]
+) -> tuple[int, Sequence[int]] | None:
+    """The one algebraic number of a divisor with its minimal polynomial.
+
+    None where there are more, or square roots of symbols, with it.
+    """
+    minimal = dict(ring.algebraic_relations)
+    others = [own for place, own in minimal.items() if place not in places]
+    if len(places) != 1 or others or not isinstance(minimal[places[0]], tuple):
+        return None
+    return places[0], minimal[places[0]]
 
 
 def exact_quotient(polynomial: Polynomial, divisor: Polynomial) -> Polynomial | None:

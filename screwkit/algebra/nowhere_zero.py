@@ -14,6 +14,7 @@ from screwkit.algebra.branches import Branch
 from screwkit.algebra.constant_multiples import is_number
 from screwkit.algebra.division import Divisor
 from screwkit.algebra.half_angle import HalfAngles
+from screwkit.algebra.over_roots import square_roots
 from screwkit.algebra.points import residue
 from screwkit.algebra.remembered import RememberedColumns
 from screwkit.algebra.restrictions import Layout
@@ -38,13 +39,18 @@ def without_nowhere_zero(
         nonvanishing: Polynomials without a zero where the vector is looked at.
     """
     longest = max(map(len, vector), default=0)
-    if longest <= FACTORED or not nonvanishing:
+    if (longest <= FACTORED and _is_factored(ring)) or not nonvanishing:
         return list(vector)
     given = tuple(str(polynomial) for polynomial in nonvanishing)
     found = _KNOWN.answer(
         ring, vector, given, lambda: _without(ring, vector, nonvanishing)
     )
     return [*found]
+
+
+def _is_factored(ring: TrigonometricRing) -> bool:
+    """Whether short polynomials are split: not over numbers such as 2 cos π/18."""
+    return not ring.constant_generators or bool(square_roots(ring))
 
 
 def _without(

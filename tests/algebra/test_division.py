@@ -40,3 +40,21 @@ def test_products_are_divided_and_nothing_else(divisor: str, quotient: str) -> N
         # None of these is divided by the divisor, nor is such a sum.
         for other in others:
             assert divide(ring.normal(product + other)) is None
+
+
+@pytest.mark.parametrize(
+    "divisor", ["a*cos(pi/18) + sin(pi/9)", "b*sin(q) + 2*cos(pi/9)*a + sin(pi/18)"]
+)
+@pytest.mark.parametrize("quotient", ["a + cos(q)", "cos(pi/18)*sin(q) + a*b - 3"])
+def test_numbers_of_higher_degree_are_coefficients(divisor: str, quotient: str) -> None:
+    ring, (below, wanted, *others) = in_one_ring(
+        divisor, quotient, "a", "sin(q)", "cos(pi/18)"
+    )
+    layout = Layout.of(ring)
+    divide = Divisor(below, ring, HalfAngles(ring, layout), layout).divide
+    product = ring.normal(below * wanted)
+    found = divide(product)
+    assert found is not None
+    assert ring.normal(found) == wanted
+    for other in others:
+        assert divide(ring.normal(product + other)) is None

@@ -60,3 +60,24 @@ def test_no_proviso_speaks_of_a_divisor(tmp_path: Path, height: str) -> None:
     assert component.geometry == (
         "lines A1 B1, A2 B2 and A3 B3 meet in one point or are parallel"
     )
+
+
+def test_struts_from_points_at_ten_degrees_are_never_singular(tmp_path: Path) -> None:
+    """Squares of axes over Q(2 cos π/18) divide all minors: none is a condition."""
+    path = tmp_path / "strut.yaml"
+    path.write_text(
+        "screwkit: 1\nname: strut\nspace: spatial\ngeometry: posture\n"
+        "base: base\nplatform: top\nlinks: [base, top, a, b]\n"
+        "variables: {x: 1, z: 4}\npose: {translation: [x, 0, z]}\n"
+        "points:\n  A: [5*cos(pi/18), 5*sin(pi/18), 0]\n"
+        "  B: {link: top, at: [3*cos(2*pi/9), 3*sin(2*pi/9), 0]}\n"
+        "vectors: {i: [1, 0, 0], l: B - A}\n"
+        "joints:\n"
+        "  - {name: U, type: universal, parent: base, child: a, point: A, "
+        'axes: [i, "cross(l, i)"]}\n'
+        "  - {name: P, type: prismatic, parent: a, child: b, axis: l}\n"
+        "  - {name: S, type: spherical, parent: b, child: top, point: B}\n"
+    )
+    (limb,) = sk.singularities(sk.load(path)).limb
+    assert limb.complete
+    assert limb.components == ()
