@@ -68,9 +68,9 @@ def test_struts_from_points_at_ten_degrees_are_never_singular(tmp_path: Path) ->
     path.write_text(
         "screwkit: 1\nname: strut\nspace: spatial\ngeometry: posture\n"
         "base: base\nplatform: top\nlinks: [base, top, a, b]\n"
-        "variables: {x: 1, z: 4}\npose: {translation: [x, 0, z]}\n"
-        "points:\n  A: [5*cos(pi/18), 5*sin(pi/18), 0]\n"
-        "  B: {link: top, at: [3*cos(2*pi/9), 3*sin(2*pi/9), 0]}\n"
+        "variables: {x: 1, y: 2, z: 4}\npose: {translation: [x, y, z]}\n"
+        "points:\n  A: [5*cos(11*pi/18), 5*sin(11*pi/18), 0]\n"
+        "  B: {link: top, at: [3*cos(4*pi/9), 3*sin(4*pi/9), 0]}\n"
         "vectors: {i: [1, 0, 0], l: B - A}\n"
         "joints:\n"
         "  - {name: U, type: universal, parent: base, child: a, point: A, "
