@@ -110,7 +110,7 @@ class Figures:
             largest: The most; six lines can only be said to lie in a linear complex.
         """
         compared = _COMPARED
-        if len(piece.equations) > 1:
+        if piece.codimension > 1 and len(piece.equations) > 1:
             largest, compared = min(largest, _OF_SEVERAL), _COMPARED // 4
         on = [point for branch in piece.branches[:2] for point in branch.points]
         provisional: str | None = None

@@ -55,6 +55,10 @@ def zeros_beside(
         return _beside_divided(values[0], piece.equations[0], root, library)
     if len(values[0]) > LARGEST:
         return None
+    if piece.codimension == 1 and len(piece.equations) > 1:
+        if len(values) > 1:
+            return None
+        return _beside_half_angles(values[0], piece, root, library)
     if len(piece.equations) == 1:
         key = condition_key(root.ring, piece.equations[0])
         for value in islice(values, _FACTORED):
@@ -91,12 +95,50 @@ def _beside(
     return [e for e in others if not is_special(root, e)]
 
 
+def _beside_half_angles(
+    value: Polynomial, piece: Piece, root: Branch, library: FactorLibrary
+) -> list[Polynomial] | None:
+    """The other factors, where half angles alone show that of the piece."""
+    ring = root.ring
+    own = _keys(ring, piece.equations)
+    factors = possible_factors(root, value, library)
+    others = [f.equations for f in factors if _keys(ring, f.equations) != own]
+    if len(others) == len(factors):
+        return None
+    beside = [_one_of(ring, equations) for equations in others]
+    return [e for e in beside if not is_special(root, e)]
+
+
+def _keys(ring: TrigonometricRing, equations: Sequence[Polynomial]) -> set[str]:
+    turned = _turned(ring, equations)
+    written = equations if turned is None else [turned]
+    return {condition_key(ring, equation) for equation in written}
+
+
 def without_condition(
     ring: TrigonometricRing, factors: Sequence[Factor], key: str
 ) -> list[Polynomial]:
-    """The equations of all factors but the one with this `condition_key`."""
-    equations = [f.equations[0] for f in factors]
+    """One equation for each of the factors but the one with this `condition_key`."""
+    equations = [_one_of(ring, f.equations) for f in factors]
     return [e for e in equations if condition_key(ring, e) != key]
+
+
+def _one_of(ring: TrigonometricRing, equations: Sequence[Polynomial]) -> Polynomial:
+    """One equation with the real zeros of all; of long ones the first."""
+    turned = _turned(ring, equations)
+    if turned is not None:
+        return turned
+    if len(equations) == 1 or sum(map(len, equations)) > _SQUARED:
+        return equations[0]
+    return primitive(ring.normal(sum((e * e for e in equations), ring.zero)))
+
+
+def _turned(
+    ring: TrigonometricRing, equations: Sequence[Polynomial]
+) -> Polynomial | None:
+    """Of sin φ and cos φ ± 1 the second, which has the zeros of both."""
+    turns = {str(c + sign) for c in ring.cosines for sign in (1, -1)}
+    return next((e for e in equations if str(primitive(e)) in turns), None)
 
 
 def _beside_divided(
@@ -118,11 +160,9 @@ def _beside_divided(
     if len(rest) > LARGEST:
         return None
     key = str(primitive(own))
-    return [
-        f.equations[0]
-        for f in possible_factors(root, rest, library)
-        if f.key != key and not is_special(root, f.equations[0])
-    ]
+    others = [f for f in possible_factors(root, rest, library) if f.key != key]
+    found = [_one_of(root.ring, f.equations) for f in others]
+    return [e for e in found if not is_special(root, e)]
 
 
 def nowhere_zero(root: Branch) -> list[Polynomial]:

@@ -9,11 +9,14 @@ from functools import cache
 import numpy as np
 import pytest
 from loci.numeric import Array, values
+from one_ring import in_one_ring
 
 import screwkit as sk
-from screwkit.algebra.branches import restricted
+from screwkit.algebra.assumptions import Assumptions
+from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.decomposition import common_zeros
+from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial
@@ -24,7 +27,7 @@ from screwkit.loci.features import Axis, Features, Point, statements
 from screwkit.loci.figure_words import dependent, dependent_about
 from screwkit.loci.limb_wrenches import wrench_screws
 from screwkit.loci.named_screws import AXIS, JOIN, SLIDE, NamedScrew, called
-from screwkit.loci.pieces import Piece
+from screwkit.loci.pieces import Piece, pieces_of
 from screwkit.loci.said_together import Conjunction
 from screwkit.loci.same_zeros import LARGEST, zeros_beside
 from screwkit.results.singularities import Singularities
@@ -166,6 +169,22 @@ def test_zeros_elsewhere_are_seen() -> None:
     assert zeros_beside(piece, [long * 3], root, library) == []
     assert zeros_beside(piece, [long * y], root, library) == [y]
     assert zeros_beside(piece, [long + y], root, library) is None
+
+
+def test_a_factor_that_half_angles_alone_show_is_told_from_what_is_beside() -> None:
+    """With φ = 2 atan t: ((x − 2)·t + z) times cos φ/2, which is zero at φ = π."""
+    ring, (value, turned) = in_one_ring(
+        "x*sin(p) + z*cos(p) + z - 2*sin(p)", "cos(p) + 1"
+    )
+    root, library = Branch(ring, Assumptions()), FactorLibrary(ring)
+    pieces = pieces_of(common_zeros(root, [value], Search(library)).branches)
+    assert sorted(len(piece.equations) for piece in pieces) == [2, 2]
+    for piece in pieces:
+        (beside,) = zeros_beside(piece, [value], root, library) or ()
+        if turned in piece.equations:  # the other factor, by the sum of two squares
+            assert len(beside) > 2
+        else:
+            assert beside == turned
 
 
 def test_two_points_are_named_one_after_the_other() -> None:
