@@ -127,7 +127,8 @@ class _Scheme:
             apart = replace(whole, budget=_APART, found=[], unfinished=[], special=[])
             zeros = _by_limbs(root, limbs, zeros, apart)
         whole_pieces = without_contained([*given, *pieces_of(zeros.branches)])
-        pieces = alike(whole_pieces, self.ranks)
+        outside = self._moving_outside(zeros.branches, whole_pieces)
+        pieces = alike([*whole_pieces, *outside], self.ranks)
         complete = all(_is_decided(branch, pieces) for branch in zeros.open)
         undecided = "the zeros of the determinant were not all decided"
         reasons = dict.fromkeys(() if complete else (zeros.reason or undecided,))
@@ -143,6 +144,20 @@ class _Scheme:
         # A later piece inside an idle one may contain an earlier one.
         found = [*without_contained([*moving, *inside]), *idle]
         return _Found(tuple(found), "; ".join(reasons))
+
+    def _moving_outside(
+        self, branches: Sequence[Branch], kept: Sequence[Piece]
+    ) -> list[Piece]:
+        """Moving pieces that only equations of idle ones, which say more, contain."""
+        texts = {piece.texts for piece in kept}
+        known = [piece for piece in kept if self.state(piece).platform_freedom]
+        found: list[Piece] = []
+        for piece in pieces_of(branches, surely=True):
+            if piece.texts in texts or not self.state(piece).platform_freedom:
+                continue
+            if not all(_known(branch, known) for branch in piece.branches):
+                found.append(piece)
+        return without_contained(found)
 
     def _moving_inside(
         self, idle: Sequence[Piece], moving: Sequence[Piece]

@@ -94,12 +94,29 @@ def _gathered(group: Sequence[Branch]) -> list[Piece]:
             merged.setdefault(rest, set()).update(members)
         classes = merged
     return [
-        Piece(
-            by_sheets[min(members, key=sorted)].equations(key),
-            tuple(by_sheets[sheets] for sheets in sorted(members, key=sorted)),
-        )
+        piece
         for key, members in classes.items()
+        for piece in _of_sheets(
+            key, [by_sheets[sheets] for sheets in sorted(members, key=sorted)]
+        )
     ]
+
+
+def _of_sheets(told: frozenset[str], sheets: Sequence[Branch]) -> list[Piece]:
+    """One piece of several sheets; one each where they share no equations.
+
+    Of sin p = sin q = 0 with cos(p − q) = 1 there are two sheets, and cos q = 1 holds
+    on one of them.
+    """
+    equations = sheets[0].equations(told)
+    places = [at for sheet in sheets for at in sheet.points]
+    if any(residue(equation, *at) for equation in equations for at in places):
+        own = (frozenset(str(p) for p in sheet.sheets) for sheet in sheets)
+        return [
+            Piece(sheet.equations(key), (sheet,))
+            for key, sheet in zip(own, sheets, strict=True)
+        ]
+    return [Piece(equations, tuple(sheets))]
 
 
 def _opposites(group: Sequence[Branch]) -> set[tuple[str, str]]:

@@ -180,7 +180,9 @@ def test_a_factor_that_half_angles_alone_show_is_told_from_what_is_beside() -> N
     pieces = pieces_of(common_zeros(root, [value], Search(library)).branches)
     assert sorted(len(piece.equations) for piece in pieces) == [2, 2]
     for piece in pieces:
-        (beside,) = zeros_beside(piece, [value], root, library) or ()
+        found = zeros_beside(piece, [value], root, library)
+        assert found is not None
+        (beside,) = found
         if turned in piece.equations:  # the other factor, by the sum of two squares
             assert len(beside) > 2
         else:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from one_ring import in_one_ring
 
@@ -13,11 +15,14 @@ from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.factors import factor
 from screwkit.algebra.parse import parse
+from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.search import Search
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.case import load_text
+from screwkit.kinematics.loop_state import LoopState
+from screwkit.loci.actuation import _Scheme
 from screwkit.loci.meetings import recovered
 from screwkit.loci.pieces import (
     Piece,
@@ -200,3 +205,44 @@ def test_solved_conditions_say_what_a_piece_does() -> None:
     assert has_equations_of(branch, inner[0])
     assert not has_equations_of(branch, cubic[0])
     assert not has_equations_of(product[0].branches[0], inner[0])
+
+
+def test_sheets_that_share_no_equations_are_pieces_of_their_own() -> None:
+    """At p = 0 and π; cos p = 1 holds on one sheet, cos p = −1 on the other."""
+    ring, (sine, *signs) = in_one_ring("sin(p)", "cos(p) - 1", "cos(p) + 1")
+    search = Search(FactorLibrary(ring))
+    sheets = common_zeros(Branch(ring, Assumptions()), [sine], search).branches
+    assert [len(piece.branches) for piece in pieces_of(sheets)] == [2]
+    told = [
+        replace(b, extra=tuple(e for e in signs if not residue(e, *b.points[0])))
+        for b in sheets
+    ]
+    pieces = pieces_of(told)
+    assert len(pieces) == 2
+    for piece in pieces:
+        (branch,) = piece.branches
+        assert not any(residue(e, *branch.points[0]) for e in piece.equations)
+
+
+def test_what_moves_is_kept_where_equations_of_idle_limbs_say_too_much() -> None:
+    """Equations that were not solved may hold on a part of another set too."""
+    ring, (one, two, *origin) = in_one_ring(
+        "x^3 + y^3 - x*y", "u^3 + v^3 - u*v", "x", "y", "u", "v"
+    )
+    root, library = Branch(ring, Assumptions()), FactorLibrary(ring)
+    (rest,) = common_zeros(root, origin, Search(library)).branches
+    (line,) = common_zeros(root, origin[:2], Search(library)).branches
+    zeros = common_zeros(root, [one, two], Search(library)).branches
+    idle = [p for p in pieces_of(zeros) if p.codimension == 2 and not p.is_exact]
+    assert idle
+    moving = Piece(tuple(origin), (rest,))
+
+    def state(piece: Piece) -> LoopState:
+        return LoopState((int(piece.codimension == 4),), 0, 1)
+
+    scheme = _Scheme(root, library, (), state)
+    branches = [*idle[0].branches, rest]
+    (found,) = scheme._moving_outside(branches, idle)
+    assert found.texts == moving.texts
+    exact = Piece(tuple(origin[:2]), (line,))
+    assert scheme._moving_outside([line, rest], [exact]) == []
