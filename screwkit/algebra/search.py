@@ -13,9 +13,9 @@ from screwkit.algebra.branches import (
     restricted,
     without,
 )
-from screwkit.algebra.cases import possible_factors
+from screwkit.algebra.cases import possible_factors, terms_of
 from screwkit.algebra.division import Divisor
-from screwkit.algebra.factors import FactorLibrary
+from screwkit.algebra.factors import Factor, FactorLibrary
 from screwkit.algebra.half_angle import HalfAngles
 from screwkit.algebra.points import residue
 from screwkit.algebra.restrictions import Layout
@@ -151,15 +151,30 @@ def refined(branch: Branch, search: Search) -> list[Branch] | None:
             str(pending.value),
             str(primitive(pending.value)),
         )
-        if same and not is_solvable(branch, cases[0].equations[0]):
+        settled = same and not is_solvable(branch, cases[0].equations[0])
+        if settled and _real_terms(branch, cases[0], search) is None:
             continue
         before = without(branch, pending)
-        return [
-            part
-            for case in cases
-            for part in restricted(before, case.equations[0], case.equations[1:])
-        ]
+        return [part for case in cases for part in _parts_where(before, case, search)]
     return None
+
+
+def _real_terms(
+    branch: Branch, case: Factor, search: Search
+) -> list[Polynomial] | None:
+    """`terms_of`, if real zeros are looked for."""
+    return None if search.deepest is not None else terms_of(branch, case)
+
+
+def _parts_where(branch: Branch, case: Factor, search: Search) -> list[Branch]:
+    """Where a factor vanishes; of one that keeps its sign, what vanishes with it."""
+    terms = _real_terms(branch, case, search)
+    if terms is None:
+        return restricted(branch, case.equations[0], case.equations[1:])
+    parts = [branch]
+    for value in (*terms, case.equations[0]):
+        parts = [part for own in parts for part in imposed(own, value, search)]
+    return parts
 
 
 def changed_halves(branch: Branch, search: Search) -> Pending | None:

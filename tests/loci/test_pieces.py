@@ -17,7 +17,7 @@ from screwkit.algebra.factors import factor
 from screwkit.algebra.parse import parse
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import equation_text
-from screwkit.algebra.search import Search
+from screwkit.algebra.search import Search, refined
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.case import load_text
@@ -246,3 +246,19 @@ def test_what_moves_is_kept_where_equations_of_idle_limbs_say_too_much() -> None
     assert found.texts == moving.texts
     exact = Piece(tuple(origin[:2]), (line,))
     assert scheme._moving_outside([line, rest], [exact]) == []
+
+
+def test_what_later_steps_leave_of_a_condition_is_asked_for_its_real_zeros() -> None:
+    """With cos p·cos q = −1 where x = 0, p and q are 0 and π, one each."""
+    ring, (condition, x, *sines) = in_one_ring(
+        "x^3*y + x*y^3 + x*y + cos(p)*cos(q) + 1", "x", "sin(p)", "sin(q)"
+    )
+    search = Search(FactorLibrary(ring))
+    (whole,) = restricted(Branch(ring, Assumptions()), condition)
+    assert whole.pending
+    (branch,) = restricted(whole, x)
+    parts = refined(branch, search)
+    assert parts
+    for part in parts:
+        assert part.codimension == 3
+        assert not any(residue(e, *at) for e in sines for at in part.points)
