@@ -12,6 +12,7 @@ import random
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import islice
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.elimination import half_angle_steps, steps_of
@@ -24,12 +25,12 @@ from screwkit.algebra.points import (
     residue,
     with_extensions,
 )
-from screwkit.algebra.points_on import angles_in_numbers, moved_onto
-from screwkit.algebra.substitution import (
-    Substitution,
-    reduced,
-    substituted,
+from screwkit.algebra.points_on import (
+    angles_in_numbers,
+    moved_onto,
+    points_asked,
 )
+from screwkit.algebra.substitution import Substitution, reduced, substituted
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 
@@ -205,11 +206,14 @@ class Branch:
 
     @cached_property
     def points(self) -> tuple[tuple[Point, int], ...]:
-        """Two random exact points and their primes; none where none was found."""
+        """Random exact points and their primes; none where too few were found.
+
+        Two, or more where pending conditions may have several parts (`points_asked`).
+        """
         source = random.Random(len(self.conditions) + 7)
-        first = self.point(source)
-        second = first and self.point(source)
-        return (first, second) if first and second else ()
+        count = points_asked(self.ring, [p.value for p in self.pending])
+        found = tuple(islice(iter(lambda: self.point(source), None), count))
+        return found if len(found) == count else ()
 
     def vanishes(self, values: Sequence[Polynomial]) -> bool:
         """Whether a vector in the generators left is zero on all of the branch.

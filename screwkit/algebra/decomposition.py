@@ -49,7 +49,7 @@ from screwkit.algebra.search import (
     still_open,
 )
 from screwkit.algebra.special_parts import parts_beside_special
-from screwkit.algebra.splitting import split_system
+from screwkit.algebra.splitting import split_difference, split_system
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.algebra.unshown_parts import parts_beside, told_apart
 
@@ -302,6 +302,15 @@ def _taken_further(
     """Go on with a branch that would be left open, and whether that is possible."""
     if not search.further or len(branch.pending) < 2 or search.budget <= 0:
         return False
+    parts = split_difference(branch) if branch.thorough else None
+    if parts is not None:
+        search.budget -= 1
+        before, again = before_pending(branch)
+        again += polynomials
+        _descend(before, [*parts.left, *again], list(nonzero), search)
+        if parts.solved is not None:
+            _go_on(before, parts.solved, again, nonzero, search)
+        return True
     choice = implied_products(branch, search.library, search.largest)
     if choice is None:
         return _solved_together(branch, polynomials, nonzero, search)

@@ -105,8 +105,11 @@ def loses_a_direction(branch: Branch) -> bool:
 def is_excluded(branch: Branch, nonvanishing: Sequence[Polynomial]) -> bool:
     """Whether a branch is empty: something non-zero would be zero on all of it.
 
-    Proved: a pending condition divides a polynomial without a zero on the branch.
+    Proved: a pending condition divides a polynomial without a zero on the branch, or
+    what an earlier step divided by has become zero.
     """
+    if any(divisor == 0 for divisor in branch.divisors):
+        return True
     if not branch.pending or not nonvanishing:
         return False
     ring = branch.ring

@@ -80,7 +80,7 @@ def are_one_part(branch: Branch, directions: Sequence[Direction]) -> bool:
 def _is_square(polynomial: Any) -> bool:
     try:
         polynomial.sqrt()
-    except DomainError:
+    except (DomainError, ValueError):  # the latter where a denominator is no square
         return False
     return True
 

@@ -24,6 +24,27 @@ _LONG = 2_000
 """Terms of a condition that is interpolated, not taken apart by powers."""
 
 
+_ON_PARTS = 8
+"""Points where parts may be several; of two alike one is missed in one case of 128."""
+
+
+def points_asked(ring: TrigonometricRing, pending: Sequence[Polynomial]) -> int:
+    """How many random points show what pending conditions describe.
+
+    A condition that is linear in a symbol of its own is a graph over the others.  Of
+    two that are not, one may be a product over the other: each point lies at one of its
+    roots at random.
+    """
+    degrees = [condition.degrees() for condition in pending]
+    own = [
+        any(
+            d[i] == 1 == sum(bool(o[i]) for o in degrees) for i in ring.symbol_indices()
+        )
+        for d in degrees
+    ]
+    return 2 if own.count(False) < 2 else _ON_PARTS
+
+
 def moved_onto(
     ring: TrigonometricRing,
     pending: Sequence[Polynomial],

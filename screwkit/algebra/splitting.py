@@ -11,10 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import permutations
 
-from screwkit.algebra.branches import Branch, still_pending
+from screwkit.algebra.branches import Branch, Pending, still_pending
 from screwkit.algebra.elimination import half_angle_solutions
 from screwkit.algebra.linear_systems import largest_system, solutions_of
+from screwkit.algebra.search import before_pending
 from screwkit.algebra.substitution import Substitution, linear_parts
 from screwkit.algebra.trigonometric import Polynomial
 
@@ -126,6 +128,54 @@ def split_system(branch: Branch) -> Split | None:
     others = tuple(p for p in branch.pending if p not in chosen)
     solved = _after_all(replace(branch, pending=others), steps)
     return Split(solved, (system.determinant, *(p.value for p in chosen)))
+
+
+def split_difference(branch: Branch) -> Split | None:
+    """Solve the difference of two pending conditions, quadratic in one symbol both.
+
+    With A·x² + ... = 0 and B·x² + ... = 0, where B is zero nowhere, the second and
+    B·(first) − A·(second) say the same as both, and that may be linear in a coordinate.
+    Two quadrics, as rotations leave them, become a graph over one plane curve.
+
+    Returns:
+        The part before any condition is pending; all of them have to be imposed again.
+    """
+    ring = branch.ring
+    free = [i for i in ring.symbol_indices() if i not in branch.dimensions]
+    own = [p for p in branch.pending if not p.companions]
+    best: tuple[int, Pending, int, Polynomial, Polynomial] | None = None
+    for replaced, kept in permutations(own, 2):
+        for index in free:
+            leading = [_square_of(p.value, index) for p in (replaced, kept)]
+            if None in leading:
+                continue
+            one, two = leading
+            if not branch.assumptions.is_nonzero(ring, two):
+                continue
+            value = ring.normal(two * replaced.value - one * kept.value)
+            degrees = value.degrees()
+            for symbol in (i for i in free if degrees[i] == 1):
+                factor, rest = linear_parts(ring, value, symbol)
+                size = len(factor)
+                if (best is None or size < best[0]) and not says_nothing(
+                    branch, factor
+                ):
+                    best = size, replaced, symbol, factor, rest
+    if best is None:
+        return None
+    _, replaced, symbol, factor, rest = best
+    step = Substitution(
+        ((symbol, -rest),), factor, condition=replaced.condition, partial=True
+    )
+    before, _ = before_pending(branch)
+    return Split(_after(before, replaced.condition, step), (factor, rest))
+
+
+def _square_of(polynomial: Polynomial, index: int) -> Polynomial | None:
+    """The coefficient of a symbol's square, where it has no higher power."""
+    if polynomial.degrees()[index] != 2:
+        return None
+    return polynomial.derivative(index).derivative(index) / 2
 
 
 def _after_all(branch: Branch, steps: Sequence[Substitution]) -> Branch | None:

@@ -39,6 +39,7 @@ from screwkit.certificates.steps import written_step
 from screwkit.certificates.subjects import Subject, of_graph, of_limb, of_loops
 from screwkit.certificates.texts import RefusedError, read
 from screwkit.certificates.written import SCHEMA
+from screwkit.errors import ExpressionError
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.freedoms import JointTwist
 from screwkit.kinematics.placement import joint_twists
@@ -179,10 +180,10 @@ class PartDerivation:
             part = self._claims(question, (), (), (), limb, locked)
             many = f"of more than {MOST} components none is listed"
             return replace(part, reason=f"{many}; there are {len(components)}")
-        loci = [self._polynomials(component) for component in components]
         try:
+            loci = [self._polynomials(component) for component in components]
             part = self._claims(question, components, idle, loci, limb, locked)
-        except NotProvedError as error:
+        except (NotProvedError, ExpressionError) as error:
             part = self._claims(question, (), (), (), limb, locked)
             return replace(part, reason=f"no component is listed: {error}")
         if not complete:

@@ -3,7 +3,8 @@
 Links of several limbs that point along lines each fix an angle of their own
 (`algebra.fixed_directions`).  Solved for coordinates of the platform such conditions
 lose that form; where this leaves something undecided they are kept as they are.  Where
-that leaves something too, branches that would stay open are taken further.
+that leaves something too, branches that would stay open are taken further, in the end
+thoroughly: with points on conditions that share their unknowns.
 
 References: [CoxLittleOShea] §5.4 (the coordinate ring of a variety).
 """
@@ -64,8 +65,12 @@ def _further(
     """What was solved, or what was found where open branches were taken further."""
     if not solved.open or search.budget <= 0:
         return solved
-    found = _zeros(branch, limbs, replace(search, further=True, budget=_FURTHER))
-    return solved if found.open else found
+    for whole in (branch, replace(branch, thorough=True)):
+        own = replace(search, further=True, budget=_FURTHER)
+        found = _zeros(whole, limbs, own)
+        if not found.open:
+            return found
+    return solved
 
 
 def _with_angles_kept(

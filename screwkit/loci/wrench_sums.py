@@ -216,7 +216,9 @@ def telling_minors(
             if any(residue(value, point, prime) for value in minors)
         ]
         if told:
-            return min(told, key=how_long)
+            never = (m for own in told for m in own if _is_nonzero(branch, m))
+            sure = next(never, None)
+            return min(told, key=how_long) if sure is None else [sure]
     polynomials: list[Polynomial] = []
     refused: list[TooLargeError] = []
     for chosen, one in islice(product(product(*charts), units[:TOGETHER]), MOST):
@@ -304,6 +306,10 @@ def _charts(
         return [limb_system(branch, limb, motion.height, search.library).extensor]
     except UnclearError:
         return []
+
+
+def _is_nonzero(branch: Branch, minor: Polynomial) -> bool:
+    return branch.assumptions.is_nonzero(branch.ring, minor)
 
 
 def _is_there(chart: Extensor, point: Point, prime: int) -> bool:

@@ -60,6 +60,8 @@ def test_norms_show_what_two_coefficients_share(condition: str, is_one: bool) ->
         ("u*x*sin(p) + u*y*cos(p)", False),
         ("(x + y)*sin(p) + (x - y)*cos(p)", True),  # √2: q − p = π/4 and −3π/4
         ("(3*x + 4*y)*sin(p) + (4*x - 3*y)*cos(p)", False),
+        # w² = (x² + z²)/2, no square whose denominator is one.
+        ("(x + z)*sin(p)/2 + (x - z)*cos(p)/2", True),
     ],
 )
 def test_angles_that_fix_each_other_are_told(second: str, is_one: bool) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from screwkit.certificates.roots import NotProvedError
 from screwkit.certificates.texts import RefusedError
 from screwkit.certificates.written import from_text
 from screwkit.results.singularities import Singularities
+from screwkit.verification import certified_answer
 
 ARM = """
 screwkit: 1
@@ -54,6 +56,20 @@ def answered(folder: Path) -> Singularities:
 @pytest.fixture(scope="module")
 def answer(tmp_path_factory: pytest.TempPathFactory) -> Singularities:
     return answered(tmp_path_factory.getbasetemp())
+
+
+def test_equations_too_long_to_be_read_leave_one_list_uncertified(
+    answer: Singularities, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    case = screwkit.load(tmp_path_factory.getbasetemp() / "arm.yaml")
+    (limb,) = answer.limb
+    assert limb.certified
+    whole, *others = limb.components
+    long = replace(whole, equations=(" + ".join(["u"] * 20_000),))
+    changed = replace(limb, components=(long, *others))
+    (told,) = certified_answer(case, replace(answer, limb=(changed,))).limb
+    assert told.certified is False
+    assert "too many terms" in told.uncertified
 
 
 def test_an_arm_whose_elbow_is_a_square_root_is_certified(
