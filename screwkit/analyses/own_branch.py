@@ -64,6 +64,21 @@ class OwnBranch:
         found = [*self._freedoms(locked)]
         return bool(found) and not any(map(max, found))
 
+    def comes_to(self, rank: int, locked: Sequence[str]) -> bool:
+        """Whether the loop equations come to a rank on every motion.
+
+        Args:
+            rank: Of the loop equations without the locked freedoms.
+            locked: The freedoms.
+        """
+        return bool(self._around) and all(
+            any(
+                found.clear and found.loop_rank == rank
+                for found in (numbers_at(model, locked) for model in models)
+            )
+            for models in self._around
+        )
+
     def _freedoms(self, locked: Sequence[str]) -> Iterator[tuple[int, ...]]:
         """On each branch at its places; from 0 to 6 where one is not clear."""
         for models in self._around:

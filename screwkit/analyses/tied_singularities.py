@@ -32,7 +32,12 @@ from screwkit.loci.closed_pieces import TiedLocus, TiedPiece
 from screwkit.loci.graph_witness import GraphWitnesses
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.pieces import Piece
-from screwkit.loci.tied_loci import columns_locus, limb_locus, loop_locus
+from screwkit.loci.tied_loci import (
+    actuation_finds,
+    columns_locus,
+    limb_locus,
+    loop_locus,
+)
 from screwkit.progress import Progress, silent
 from screwkit.results.singularities import (
     ActuationSingularities,
@@ -44,7 +49,6 @@ from screwkit.results.singularities import (
 )
 from screwkit.results.solution import Solution
 
-_INSIDE = "it may lose freedoms inside conditions on which its loops become dependent"
 _LONG = 160  # characters of a condition that is written though it is not solved
 
 
@@ -111,9 +115,9 @@ def _size(graph: TiedGraph) -> int:
 def _limb(graph: TiedGraph, number: int, kept: Sequence[Unknown]) -> LimbSingularities:
     """Where a limb allows the platform less at closed postures."""
     limb, labels = graph.network.limbs[number], graph.framed.limbs[number]
-    more = False
     if limb.path is None:
-        locus, more = limb_locus(graph, number, kept)
+        within = limb_locus(graph, number, kept)
+        locus = TiedLocus(within.finds, within.reason)
     else:
         locus = columns_locus(graph, labels, kept)
 
@@ -124,18 +128,17 @@ def _limb(graph: TiedGraph, number: int, kept: Sequence[Unknown]) -> LimbSingula
 
     meanings = meanings_of(graph) if locus.pieces else None
     listed = [one.piece for one in locus.pieces]
-    reason = "; ".join(filter(None, [locus.reason, _INSIDE if more else ""]))
     return LimbSingularities(
         limb=limb.name,
         joints=labels,
         generic_rank=freedom(graph.closed.points),
-        complete=not reason,
+        complete=not locus.reason,
         components=tuple(
             _limb_component(graph, one, meanings, listed, freedom(one.points))
             for one in locus.pieces
         ),
-        proof=_proof(locus) if not reason else "",
-        reason=reason,
+        proof=_proof(locus),
+        reason=locus.reason,
     )
 
 
@@ -164,35 +167,34 @@ def tied_actuation(
     left = own.freedom_left(actuated)
     if left:
         return never_still(actuated, size, left, MOVES_ALL_ALONG), ()
-    locus = loop_locus(graph, actuated, graph.unknowns_of(actuated))
-    meanings = meanings_of(graph, actuated) if locus.pieces else None
-    found = []
-    for one in locus.pieces:
-        state = graph.state_at(one.points, actuated)
-        rank = size - state.platform_freedom
-        found.append(_component(graph, one, meanings, state, rank))
-    idle = tuple(c for c in found if not c.platform_freedom)
-    reason = locus.reason
-    if generic.loop > rank_in_the_file(graph.network, actuated):
+    found = actuation_finds(graph, actuated)
+    meanings = meanings_of(graph, actuated) if found.finds or found.others else None
+    moving, idle = (
+        tuple(
+            _component(graph, one, meanings, state, size - state.platform_freedom)
+            for one in pieces
+            for state in [graph.state_at(one.points, actuated)]
+        )
+        for pieces in (found.finds, found.others)
+    )
+    reason = found.reason
+    below = generic.loop > rank_in_the_file(graph.network, actuated)
+    if below and not own.comes_to(generic.loop, actuated):
         special = (
             "the posture of the file is singular itself, and whether those near it are "
             "was not decided"
         )
         reason = "; ".join(filter(None, [reason, special]))
-    if idle:
-        inside = "more may move inside conditions on which only a limb idles"
-        reason = "; ".join(filter(None, [reason, inside]))
     answer = ActuationSingularities(
         actuated=tuple(actuated),
         admissible=True,
         generic_rank=size,
         complete=not reason,
-        components=tuple(c for c in found if c.platform_freedom),
+        components=moving,
         idle=idle,
         reason=reason,
     )
-    moving = zip(locus.pieces, found, strict=True)
-    return answer, tuple(one for one, c in moving if c.platform_freedom)
+    return answer, found.finds
 
 
 def _component(

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import combinations
 
 from screwkit.algebra.ring import Ring, S
 from screwkit.errors import UndecidedError
@@ -21,7 +22,7 @@ from screwkit.kinematics.placement import (
     table_joints,
 )
 from screwkit.kinematics.product_of_exponentials import carried, placed_by_variables
-from screwkit.mechanism.graph import spanning_tree
+from screwkit.mechanism.graph import closing_tree
 from screwkit.mechanism.model import Joint, JointType, Mechanism
 from screwkit.screw import vector
 from screwkit.screw.displacement import Displacement
@@ -66,30 +67,38 @@ def _of_table(mechanism: Mechanism, ring: Ring[S]) -> Iterator[S]:
             yield from shift
 
 
-def rods(mechanism: Mechanism) -> dict[str, tuple[Joint, Joint]]:
-    """Bodies between two spherical joints, through which nothing else is placed.
+def ball_bodies(mechanism: Mechanism) -> dict[str, tuple[Joint, ...]]:
+    """Rods and triangles: bodies on two or three spherical joints and nothing else.
 
-    Only the distance of their ends matters; how they are turned about it does not.
+    Only the distances of their centres matter, so they need no place of their own.  The
+    platform may be one, the base is not.
 
     Returns:
-        By body: the joint by which it is placed, and the one that closes a loop.
+        By body: the joint by which it is placed, then those that close loops.
     """
-    tree = set(spanning_tree(mechanism))
-    found = {}
+    tree = set(closing_tree(mechanism))
+    found: dict[str, tuple[Joint, ...]] = {}
+    used: set[str] = set()
     for link in mechanism.links:
         own = [j for j in mechanism.joints if link in (j.parent, j.child)]
-        kinds = {joint.type for joint in own}
-        placing = [joint for joint in own if joint.name in tree]
-        if len(own) == 2 and kinds == {JointType.SPHERICAL} and len(placing) == 1:
-            (closing,) = (joint for joint in own if joint.name not in tree)
-            if link not in (mechanism.base, mechanism.platform):
-                found[link] = placing[0], closing
+        names = {joint.name for joint in own}
+        if (
+            link == mechanism.base
+            or not 2 <= len(own) <= _CENTRES
+            or {joint.type for joint in own} != {JointType.SPHERICAL}
+            or len(names & tree) != 1
+            or names & used
+        ):
+            continue
+        used |= names
+        found[link] = tuple(sorted(own, key=lambda joint: joint.name not in tree))
     return found
 
 
-def with_rods_outside(mechanism: Mechanism) -> Mechanism:
-    """The mechanism with both ends of every rod placed by the bodies beside it."""
-    ends = {j.name: rod for rod, pair in rods(mechanism).items() for j in pair}
+def with_ball_bodies_outside(mechanism: Mechanism) -> Mechanism:
+    """The mechanism with all ends of rods and triangles placed by the bodies beside."""
+    bodies = ball_bodies(mechanism).items()
+    ends = {joint.name: body for body, own in bodies for joint in own}
     joints = tuple(
         replace(joint, parent=joint.child, child=joint.parent)
         if ends.get(joint.name) == joint.parent
@@ -100,33 +109,35 @@ def with_rods_outside(mechanism: Mechanism) -> Mechanism:
 
 
 def _of_reference(mechanism: Mechanism, ring: Ring[S]) -> Iterator[S]:
-    tree = set(spanning_tree(mechanism))
+    tree = set(closing_tree(mechanism))
     placed, _ = placed_by_variables(mechanism, ring)
-    by_rod = {pair[1].name: (rod, pair) for rod, pair in rods(mechanism).items()}
+    outside = ball_bodies(mechanism)
+    balls = {joint.name for own in outside.values() for joint in own}
+    for body, joints in outside.items():
+        yield from _lengths(body, joints, mechanism, ring, placed)
     for joint in mechanism.joints:
-        if joint.name in by_rod:
-            yield _length(*by_rod[joint.name], mechanism, ring, placed)
-        elif joint.name not in tree:
+        if joint.name not in balls and joint.name not in tree:
             ends = placed[joint.parent], placed[joint.child]
             yield from _between(joint, mechanism, ring, *ends)
 
 
-def _length(
-    rod: str,
-    ends: Sequence[Joint],
+def _lengths(
+    body: str,
+    joints: Sequence[Joint],
     mechanism: Mechanism,
     ring: Ring[S],
     placed: Mapping[str, Displacement[S]],
-) -> S:
-    """The squared distance of a rod's ends, less what it is at joint variables 0."""
+) -> Iterator[S]:
+    """The squared distances of a body's centres, less those at joint variables 0."""
     here, before = [], []
-    for joint in ends:
-        beside = joint.child if joint.parent == rod else joint.parent
+    for joint in joints:
+        beside = joint.child if joint.parent == body else joint.parent
         twist = freedom_twists(joint, ring, mechanism.space)[0]
         before.append(twist.point)
         here.append(carried(twist, placed[beside], ring).point)
-    now, then = (vector.subtract(*pair) for pair in (here, before))
-    return vector.dot(now, now) - vector.dot(then, then)
+    for one, other in combinations(range(len(joints)), 2):
+        now, then = (vector.subtract(at[one], at[other]) for at in (here, before))
+        yield vector.dot(now, now) - vector.dot(then, then)
 
 
 def _between(
@@ -175,6 +186,7 @@ def _between(
         yield from shift
 
 
+_CENTRES = 3  # of four, distances alone leave a mirror image
 _CLOSING = (
     JointType.REVOLUTE,
     JointType.PRISMATIC,

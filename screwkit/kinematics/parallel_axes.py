@@ -21,7 +21,7 @@ from screwkit.algebra.trigonometric import (
 )
 from screwkit.kinematics.freedoms import freedom_twists
 from screwkit.kinematics.placement import table_joints
-from screwkit.mechanism.graph import spanning_tree
+from screwkit.mechanism.graph import closing_tree
 from screwkit.mechanism.model import Joint, JointType, MdhRow, Mechanism
 from screwkit.screw import vector
 from screwkit.screw.vector import Vector
@@ -85,7 +85,7 @@ def _placing(mechanism: Mechanism) -> list[Joint]:
     """The joints along which links are placed."""
     if mechanism.geometry == "mdh":
         return [*table_joints(mechanism)]
-    tree = set(spanning_tree(mechanism))
+    tree = set(closing_tree(mechanism))
     return [joint for joint in mechanism.joints if joint.name in tree]
 
 

@@ -18,7 +18,7 @@ from screwkit.algebra.expression import Call, Expression, Power, Sum
 from screwkit.algebra.expression_building import multiply
 from screwkit.algebra.ring import Ring, S
 from screwkit.kinematics.freedoms import JointTwist, freedom_twists
-from screwkit.mechanism.graph import spanning_tree
+from screwkit.mechanism.graph import closing_tree
 from screwkit.mechanism.joints import is_actuable
 from screwkit.mechanism.model import Joint, JointType, Mechanism, variable_value
 from screwkit.mechanism.vanishing import is_zero
@@ -79,7 +79,7 @@ def placed_by_variables(
         base_from_link for every link (the identity at joint variables 0), and the
         twists in base axes about the base origin.
     """
-    tree = set(spanning_tree(mechanism))
+    tree = set(closing_tree(mechanism))
     placed: dict[str, Displacement[S]] = {}
     twists: dict[str, JointTwist[S]] = {}
     neighbours: dict[str, list[tuple[Joint, bool]]] = {}

@@ -20,9 +20,9 @@ from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.points import Point, rank_at, residue
 from screwkit.algebra.points_on import Unknown, unknowns
 from screwkit.algebra.search import Search
-from screwkit.algebra.sliced_points import sliced_points
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.algebra.zeros_modulo import exact_zeros, have_no_zero
 from screwkit.errors import UndecidedError
 from screwkit.kinematics.frames import FramedTwists, balls_among
 from screwkit.kinematics.link_invariants import link_invariants
@@ -157,9 +157,19 @@ class TiedGraph(WholeGraph):
         self, equations: Sequence[Polynomial]
     ) -> tuple[tuple[Point, int], ...]:
         """Exact closed postures at which further equations hold, on random slices."""
+        wanted = (*equations, *self.closing, *self.invariants)
+        return exact_zeros(self.framed.ring, wanted, self.unknowns_of(()), _POINTS)
+
+    def is_never_closed_where(self, equations: Sequence[Polynomial]) -> bool:
+        """Whether it is seen that no closed posture, complex ones included, meets them.
+
+        Asked only where they are more than there are unknowns.
+        """
+        ring, given = self.framed.ring, self.unknowns_of(())
         wanted = (*equations, *self.closing)
-        dimensions = self.unknowns_of(())
-        return sliced_points(self.framed.ring, wanted, dimensions, _POINTS)
+        met = {u for e in wanted for u in unknowns(ring, e)}.difference(given)
+        more = (*wanted, *self.invariants)
+        return len(wanted) > len(met) and have_no_zero(ring, more, given)
 
     @property
     def points(self) -> tuple[tuple[Point, int], ...]:

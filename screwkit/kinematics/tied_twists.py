@@ -1,7 +1,7 @@
 """Twists where loops tie joint variables, and all that closed loops demand of these.
 
 Written in all joint variables as if they were free.  Rods between two spherical joints
-stay outside: how they are turned about themselves is in no equation.
+and triangles of three stay outside: their own turns are in no equation.
 
 References: [MurrayLiSastry1994] §3.2, [Hunt1978] §13.
 """
@@ -13,7 +13,7 @@ from collections.abc import Collection, Mapping
 from screwkit.algebra.ring import Ring, S
 from screwkit.kinematics.freedoms import JointTwist
 from screwkit.kinematics.link_invariants import link_invariants
-from screwkit.kinematics.loop_closing import closing_equations, with_rods_outside
+from screwkit.kinematics.loop_closing import closing_equations, with_ball_bodies_outside
 from screwkit.kinematics.placement import joint_twists
 from screwkit.mechanism.joints import freedom_labels
 from screwkit.mechanism.model import JointType, Mechanism
@@ -39,7 +39,7 @@ def tied_twists(
     Raises:
         UndecidedError: See `freedoms.freedom_twists`.
     """
-    placed = with_rods_outside(mechanism)
+    placed = with_ball_bodies_outside(mechanism)
     twists = dict(joint_twists(placed, ring, origin, joints))
     zero, one = ring.zero, ring.one
     axes = (one, zero, zero), (zero, one, zero), (zero, zero, one)
@@ -70,7 +70,7 @@ def closing_demands(mechanism: Mechanism, ring: Ring[S]) -> list[S]:
     Raises:
         UndecidedError: See `loop_closing.closing_equations`.
     """
-    return closing_equations(with_rods_outside(mechanism), ring)
+    return closing_equations(with_ball_bodies_outside(mechanism), ring)
 
 
 def tied_demands(mechanism: Mechanism, ring: Ring[S]) -> list[S]:

@@ -85,6 +85,8 @@ def closed_on(
         kept: Unknowns for which their consequences are wanted.
         thorough: Look for a proof that complex postures alone meet them, too.
     """
+    if graph.is_never_closed_where(equations):
+        return ClosedPostures(True)
     part = graph.closed_where(equations)
     if part.is_empty:
         return ClosedPostures(True)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from screwkit.mechanism.joints import RIGID, variable_count
-from screwkit.mechanism.model import Joint, Mechanism
+from screwkit.mechanism.model import Joint, JointType, Mechanism
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -80,6 +80,41 @@ def spanning_tree(mechanism: Mechanism) -> tuple[str, ...]:
     """Joints of a spanning forest that keeps the distance to the base shortest."""
     kept = _forest(mechanism).joints
     return tuple(joint.name for joint in mechanism.joints if joint.name in kept)
+
+
+def closing_tree(mechanism: Mechanism) -> tuple[str, ...]:
+    """Joints of a spanning forest with few variables: those outside close the loops.
+
+    What closes a loop at a spherical joint, a point in one place, is shorter than what
+    does at a hinge, and free of the variables of both.  Where no forest has fewer
+    variables than `spanning_tree` it is that one.
+    """
+    import networkx as nx  # noqa: PLC0415
+
+    nearest = _forest(mechanism)
+    graph: Any = nx.MultiGraph()
+    graph.add_nodes_from(mechanism.links)
+    for joint in mechanism.joints:
+        nearer = min(nearest.depth[joint.parent], nearest.depth[joint.child])
+        other = joint.name not in nearest.joints
+        size = 2 * len(mechanism.links)
+        weight = (_variables(joint, mechanism) * 2 + other) * size + nearer
+        graph.add_edge(joint.parent, joint.child, key=joint.name, weight=weight)
+    kept = {name for _, _, name in nx.minimum_spanning_edges(graph, data=False)}
+    fewer, usual = (
+        sum(_variables(j, mechanism) for j in mechanism.joints if j.name in names)
+        for names in (kept, nearest.joints)
+    )
+    if fewer >= usual:
+        return spanning_tree(mechanism)
+    return tuple(joint.name for joint in mechanism.joints if joint.name in kept)
+
+
+def _variables(joint: Joint, mechanism: Mechanism) -> int:
+    """Of a joint; a helical one counts as none: no polynomials close a loop there."""
+    if joint.type is JointType.HELICAL:
+        return 0
+    return variable_count(joint.type, mechanism.space)
 
 
 def fundamental_loops(mechanism: Mechanism) -> tuple[tuple[Step, ...], ...]:

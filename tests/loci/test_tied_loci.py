@@ -18,8 +18,10 @@ from loci.numeric import Array, value
 from loci.searching import solved
 
 from screwkit.algebra.points import residue
+from screwkit.analyses.tied_singularities import tied_actuation
 from screwkit.case import load_text
 from screwkit.errors import UndecidedError
+from screwkit.kinematics import tied_graph
 from screwkit.kinematics.tied_graph import TiedGraph
 from screwkit.questions import schemes, singularities
 from screwkit.reports.conditions import at_closed_postures
@@ -661,15 +663,107 @@ def test_the_rod_in_the_plane_of_the_crank_is_the_limbs_singularity() -> None:
     assert np.ptp(ratios) < 1e-9 * abs(ratios[0])
 
 
-def test_loops_without_closed_points_are_left_open() -> None:
-    """A universal joint on a rod: its angles are not linear in few equations."""
-    text = RSSR.replace(
-        'name: "3", type: spherical, parent: c, child: r, point: [3, 2, 1]',
-        'name: "3", type: universal, parent: c, child: r, point: [3, 2, 1], '
-        "axes: [[1, 0, 0], [0, 1, 0]]",
-    )
+UNIVERSAL_ROD = RSSR.replace(
+    'name: "3", type: spherical, parent: c, child: r, point: [3, 2, 1]',
+    'name: "3", type: universal, parent: c, child: r, point: [3, 2, 1], '
+    "axes: [[1, 0, 0], [0, 1, 0]]",
+)
+
+
+def test_loops_without_closed_points_are_left_open(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(tied_graph, "exact_zeros", lambda *_: ())
     with pytest.raises(UndecidedError, match="no exact closed posture"):
-        singularities(load_text(text))
+        singularities(load_text(UNIVERSAL_ROD))
+
+
+def test_a_universal_joint_on_a_rod_closes_and_moves() -> None:
+    """Seven freedoms in one loop: its angles are not linear in few equations."""
+    graph = TiedGraph(load_text(UNIVERSAL_ROD).mechanism)
+    state = graph.generic_state()
+    assert (state.loop, state.mobility) == (6, 1)
+    for point, prime in graph.points:
+        assert not any(residue(e, point, prime) for e in graph.closing)
+
+
+THREE_RRS = """
+screwkit: 1
+name: three_rrs
+geometry: reference
+base: base
+platform: plate
+links: [base, plate, l1, u1, l2, u2, l3, u3]
+vectors: {d1: [0, 1, 0], d2: [4, -3, 0], d3: [4, 3, 0]}
+points:
+  A1: [4, 0, 0]
+  B1: [6, 0, 2]
+  C1: [2, 0, 4]
+  A2: [-3, -4, 0]
+  B2: [-3, -4, 3]
+  C2: [-1, -2, 4]
+  A3: [-3, 4, 0]
+  B3: [-3, 4, 2]
+  C3: [-1, 2, 4]
+joints:
+  - {name: A1, type: revolute, parent: base, child: l1, axis: d1, point: A1}
+  - {name: B1, type: revolute, parent: l1, child: u1, axis: d1, point: B1}
+  - {name: C1, type: spherical, parent: u1, child: plate, point: C1}
+  - {name: A2, type: revolute, parent: base, child: l2, axis: d2, point: A2}
+  - {name: B2, type: revolute, parent: l2, child: u2, axis: d2, point: B2}
+  - {name: C2, type: spherical, parent: plate, child: u2, point: C2}
+  - {name: A3, type: revolute, parent: base, child: l3, axis: d3, point: A3}
+  - {name: B3, type: revolute, parent: l3, child: u3, axis: d3, point: B3}
+  - {name: C3, type: spherical, parent: u3, child: plate, point: C3}
+actuated: [A1, A2, A3]
+"""
+
+
+def test_of_a_plate_on_three_balls_only_the_sides_close_loops() -> None:
+    """Two loops of fifteen freedoms; Grübler's count gives three."""
+    graph = TiedGraph(load_text(THREE_RRS).mechanism)
+    assert len(graph.closing) == 3
+    state = graph.generic_state()
+    assert (state.loop, state.mobility, state.platform_freedom) == (12, 3, 3)
+
+
+def test_a_planar_3rpr_in_numbers_is_complete_inside_idle_limbs_too() -> None:
+    """Its lines meet in the posture of the file; nothing else moves the plate."""
+    case = load_text(THREE_RPR)
+    graph = TiedGraph(case.mechanism)
+    answer, _ = tied_actuation(graph, case.mechanism.actuated)
+    assert (answer.complete, answer.reason) == (True, "")
+    assert len(answer.components) == 1
+    assert len(answer.idle) == 3
+    lines = [((0, 0), (3, 2)), ((8, 0), (5, 2)), ((4, 7), (4, 4))]
+    moments = [(x1 - x, y1 - y, x * y1 - y * x1) for (x, y), (x1, y1) in lines]
+    assert abs(np.linalg.det(np.array(moments, float))) < 1e-9
+    (component,) = answer.components
+    here = {f"q{joint}": 0.0 for joint in ("A1", "A2", "A3", "P1", "P2", "P3")}
+    assert abs(value(component.equations[0], here)) < 1e-9
+
+
+THREE_RPR = """
+screwkit: 1
+name: three_rpr
+space: planar
+geometry: reference
+base: ground
+platform: plate
+links: [ground, c1, c2, c3, r1, r2, r3, plate]
+points: {A1: [0, 0], A2: [8, 0], A3: [4, 7], B1: [3, 2], B2: [5, 2], B3: [4, 4]}
+joints:
+  - {name: A1, type: revolute, parent: ground, child: c1, point: A1}
+  - {name: P1, type: prismatic, parent: c1, child: r1, axis: B1 - A1, point: A1}
+  - {name: B1, type: revolute, parent: r1, child: plate, point: B1}
+  - {name: A2, type: revolute, parent: ground, child: c2, point: A2}
+  - {name: P2, type: prismatic, parent: c2, child: r2, axis: B2 - A2, point: A2}
+  - {name: B2, type: revolute, parent: r2, child: plate, point: B2}
+  - {name: A3, type: revolute, parent: ground, child: c3, point: A3}
+  - {name: P3, type: prismatic, parent: c3, child: r3, axis: B3 - A3, point: A3}
+  - {name: B3, type: revolute, parent: r3, child: plate, point: B3}
+actuated: [P1, P2, P3]
+"""
 
 
 SIX_BAR = """

@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+import random
+from fractions import Fraction
 from math import asin, isclose, pi
 
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from loci.numeric import value
 from one_ring import in_one_ring
 
+from screwkit.algebra.angle_norms import Effort
 from screwkit.algebra.fixed_angles import fixed_angles, put_in
+from screwkit.algebra.macaulay import multiples, zeros
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import equation_text
-from screwkit.algebra.sliced_points import sliced_points
 from screwkit.algebra.slopes import slope
+from screwkit.algebra.zeros_modulo import exact_zeros, have_no_zero
 
 FOUR_BAR = (
     "4*cos(a) + 3*cos(b) - 4*cos(c) - 4",
@@ -23,7 +30,7 @@ def test_points_on_slices_fulfil_all_equations() -> None:
     """A four-bar that moves, and with coupler and rocker on one line."""
     ring, equations = in_one_ring(*FOUR_BAR, "sin(b)*cos(c) - cos(b)*sin(c)")
     for wanted in (equations[:2], equations):
-        points = sliced_points(ring, wanted, (), 3)
+        points = exact_zeros(ring, wanted, (), 3)
         assert len(points) == 3
         for point, prime in points:
             assert not any(residue(equation, point, prime) for equation in wanted)
@@ -35,7 +42,7 @@ def test_points_on_slices_fulfil_all_equations() -> None:
 
 def test_no_point_is_made_up() -> None:
     ring, equations = in_one_ring("cos(a) + 2", "cos(a) + 1")
-    assert sliced_points(ring, equations, (), 2) == ()
+    assert exact_zeros(ring, equations, (), 2) == ()
 
 
 def test_of_an_angle_fixed_in_numbers_one_generator_of_degree_one_is_left() -> None:
@@ -78,3 +85,75 @@ def test_slopes_are_differences() -> None:
         # Texts of equations are written up to their sign.
         own = value(equation_text(ring, slope(ring, polynomial, unknown)), at)
         assert isclose(abs(own), abs(up - down) / (2 * small), rel_tol=1e-6)
+
+
+INCONSISTENT = [
+    # Half and a third are not one together; nor are an angle and its complement.
+    ("2*cos(a) - 1", "cos(a) + cos(b) - 1", "3*cos(b) - 1"),
+    ("sin(a)*cos(b) - cos(a)*sin(b)", "2*cos(a)*cos(b) + 2*sin(a)*sin(b) - 1"),
+    ("cos(a) + x", "x^2 - 2", "x*sin(a) - 1", "x*cos(a) - 3"),
+]
+CONSISTENT = [
+    # Complex zeros are zeros, and one equation three times is one.
+    ("cos(a) + cos(b) - 3", "sin(a) + sin(b)"),
+    ("cos(a) + cos(b) - 1",) * 3,
+    ("sin(a)*cos(b) - cos(a)*sin(b)", "cos(a)*cos(b) + sin(a)*sin(b) + 1"),
+    (*FOUR_BAR, "sin(b)*cos(c) - cos(b)*sin(c)"),
+]
+
+
+@pytest.mark.parametrize("texts", INCONSISTENT)
+def test_equations_that_contradict_each_other_have_no_zero(
+    texts: tuple[str, ...],
+) -> None:
+    ring, equations = in_one_ring(*texts)
+    assert have_no_zero(ring, equations, ())
+    assert exact_zeros(ring, equations, (), 1) == ()
+
+
+@pytest.mark.parametrize("texts", CONSISTENT)
+def test_equations_with_a_zero_are_never_said_to_have_none(
+    texts: tuple[str, ...],
+) -> None:
+    ring, equations = in_one_ring(*texts)
+    assert not have_no_zero(ring, equations, ())
+
+
+@given(
+    st.lists(st.tuples(*[st.integers(-3, 3)] * 5), min_size=2, max_size=6),
+    st.integers(1, 5),
+    st.integers(1, 5),
+)
+def test_equations_through_a_point_have_a_zero(
+    rows: list[tuple[int, ...]], t: int, u: int
+) -> None:
+    """However many: each is moved by a constant so that it holds at one posture."""
+    at = [
+        (Fraction(2 * t, 1 + t * t), Fraction(1 - t * t, 1 + t * t)),
+        (Fraction(2 * u, 1 + u * u), Fraction(1 - u * u, 1 + u * u)),
+    ]
+    (s, c), (s2, c2) = at
+    texts = []
+    for row in rows:
+        constant = sum(
+            k * own for k, own in zip(row, (s, c, s2 * c, s2, c2 * s), strict=True)
+        )
+        terms = ("sin(a)", "cos(a)", "sin(b)*cos(a)", "sin(b)", "cos(b)*sin(a)")
+        left = " + ".join(f"({k})*{x}" for k, x in zip(row, terms, strict=True))
+        texts.append(f"{left} - ({constant.numerator})/{constant.denominator}")
+    ring, equations = in_one_ring(*texts, "sin(a) + cos(a) + sin(b) + cos(b)")
+    assert not have_no_zero(ring, equations[:-1], ())
+
+
+def test_two_circles_meet_in_two_points() -> None:
+    """x² + y² = 25 and (x − 6)² + y² = 25 at (3, ±4), modulo any prime."""
+    prime = 2**61 - 1
+    circles = [
+        {(2, 0): 1, (0, 2): 1, (0, 0): prime - 25},
+        {(2, 0): 1, (1, 0): prime - 12, (0, 2): 1, (0, 0): 11},
+    ]
+    found = multiples(circles, 2, prime, Effort(10**9))
+    assert found is not None
+    assert len(found.below()) == 2
+    points = sorted(zeros(found, random.Random(1)))
+    assert points == [[3, 4], [3, prime - 4]]
