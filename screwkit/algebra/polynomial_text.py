@@ -8,6 +8,7 @@ sines in the order of the joints.  Angles are merged first (`angles`).
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import prod
 from operator import itemgetter
 from weakref import WeakKeyDictionary
 
@@ -137,6 +138,7 @@ class PolynomialPrinter:
             factors = [
                 texts[e] for texts, e in zip(powers, exponents, strict=True) if e
             ]
+            factors = _roots_joined(factors)
             numerator, denominator = int(coefficient.p), int(coefficient.q)
             negative = (numerator < 0) != flip
             if abs(numerator) != 1 or not factors:
@@ -157,6 +159,20 @@ def angle_text(form: Form) -> str:
         pieces.append(f"{' - ' if count < 0 else ' + '}{size}{name}")
     joined = "".join(pieces)
     return joined[3:] if joined.startswith(" + ") else f"-{joined[3:]}"
+
+
+def _roots_joined(factors: list[str]) -> list[str]:
+    """``sqrt(10)`` for ``sqrt(2)``, ``sqrt(5)``, in front of all others.
+
+    >>> _roots_joined(["sqrt(2)", "sqrt(5)", "x"])
+    ['sqrt(10)', 'x']
+    """
+    inside = [own[5:-1] for own in factors if own.startswith("sqrt(")]
+    numbers = [int(own) for own in inside if own.isdecimal()]
+    if len(numbers) < 2:
+        return factors
+    roots = {f"sqrt({number})" for number in numbers}
+    return [f"sqrt({prod(numbers)})", *(own for own in factors if own not in roots)]
 
 
 def _power(name: str, exponent: int) -> str:

@@ -29,6 +29,7 @@ _FACTORED = 8  # polynomials that are looked at one by one
 _BUDGET = 40  # case distinctions
 _PROVISO = 2  # terms
 _BRACKETS: Final = re.compile(r"\([^()]*\)")
+_ROOT: Final = re.compile(r"sqrt\((\d+)\)")
 _SIGNS: Final = re.compile(r" [+-] ")
 
 
@@ -180,7 +181,8 @@ def proviso(ring: TrigonometricRing, beside: Sequence[Polynomial]) -> str | None
     texts = [equation_text(ring, equation) for equation in beside]
     if not texts or any(_terms(one) > _PROVISO for one in texts):
         return None
-    return "given " + " and ".join(f"{one} ≠ 0" for one in texts)
+    *others, last = (_ROOT.sub(r"√\1", one) + " ≠ 0" for one in texts)
+    return "given " + " and ".join(filter(None, [", ".join(others), last]))
 
 
 def _terms(written: str) -> int:
