@@ -14,7 +14,7 @@ from one_ring import in_one_ring
 
 from screwkit.algebra.angle_norms import Effort
 from screwkit.algebra.fixed_angles import fixed_angles, put_in
-from screwkit.algebra.macaulay import multiples, zeros
+from screwkit.algebra.macaulay import Terms, multiples, zeros
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.slopes import slope
@@ -148,7 +148,7 @@ def test_equations_through_a_point_have_a_zero(
 def test_two_circles_meet_in_two_points() -> None:
     """x² + y² = 25 and (x − 6)² + y² = 25 at (3, ±4), modulo any prime."""
     prime = 2**61 - 1
-    circles = [
+    circles: list[Terms] = [
         {(2, 0): 1, (0, 2): 1, (0, 0): prime - 25},
         {(2, 0): 1, (1, 0): prime - 12, (0, 2): 1, (0, 0): 11},
     ]
