@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 import pytest
@@ -39,6 +40,14 @@ CASES = (
 GAP = 1e5
 ROW = "5 (2 and 4) 4, 4 3, not 4 3 (0T3R) 0, not 1 generally"
 NOTHING = 1e-12
+
+
+def grouped(*names: str) -> list[Any]:
+    """Tests of one mechanism in one process, which answers once."""
+    return [
+        pytest.param(name, marks=pytest.mark.xdist_group(f"strata of {name}"))
+        for name in names
+    ]
 
 
 @cache
@@ -77,7 +86,7 @@ def rank(matrix: Array) -> int:
     return found.rank
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", grouped(*CASES))
 def test_singular_values_at_a_real_posture_agree(name: str) -> None:
     """All numbers of a stratum, from twists that are written down in floats."""
     answer, strata = answered(name)
@@ -176,7 +185,9 @@ def test_parallel_legs_of_the_flat_platform_of_tsai() -> None:
         assert rank(left) == 2
 
 
-@pytest.mark.parametrize("name", ["five_bar", "isoglide4_t3r1", "four_bar_planar"])
+@pytest.mark.parametrize(
+    "name", grouped("five_bar", "isoglide4_t3r1", "four_bar_planar")
+)
 def test_what_is_everywhere_does_not_change_and_generally_does(name: str) -> None:
     """Another state on a stratum inside shows that a state is not everywhere."""
     _, strata = answered(name, 3)
@@ -187,7 +198,9 @@ def test_what_is_everywhere_does_not_change_and_generally_does(name: str) -> Non
                 assert inner.state == one.state
 
 
-@pytest.mark.parametrize("name", ["3prs", "five_bar", "2upr_rpu", "isoglide4_t3r1"])
+@pytest.mark.parametrize(
+    "name", grouped("3prs", "five_bar", "2upr_rpu", "isoglide4_t3r1")
+)
 def test_every_pair_that_meets_is_listed(name: str) -> None:
     """Common zeros of two components are looked for in numbers, by least squares."""
     _, strata = answered(name)
@@ -233,6 +246,7 @@ def described(strata: Strata) -> set[tuple[frozenset[Member], int]]:
     return {(frozenset(s.members), s.codimension) for s in strata.strata}
 
 
+@pytest.mark.xdist_group("strata of isoglide4_t3r1")
 def test_three_at_once_add_to_two_at_once() -> None:
     _, two = answered("isoglide4_t3r1", 2)
     _, three = answered("isoglide4_t3r1", 3)
