@@ -168,7 +168,7 @@ def _met(
     found: list[TiedPiece] = []
     unmet = 0
     for piece in pieces_of(branch for one in zeros for branch in one.branches):
-        if any(lies_in(b, k.piece) for k in known for b in piece.branches):
+        if all(any(lies_in(b, k.piece) for k in known) for b in piece.branches):
             continue
         there = closed_on(graph, piece.equations, kept)
         if there.points:
@@ -193,16 +193,13 @@ def _found_inside(
 
     Inside of these more is found only where the matrix has less than its rank there.
     """
-    finds: list[TiedPiece] = []
-    others: list[TiedPiece] = []
+    judged = [(one, is_find(one)) for one in locus.pieces]
+    finds = [one for one, is_one in judged if is_one]
+    others = [one for one, is_one in judged if not is_one]
     left = unmet = 0
-    waiting = list(locus.pieces)
+    waiting = list(others)
     while waiting:
         one = waiting.pop(0)
-        if is_find(one):
-            finds.append(one)
-            continue
-        others.append(one)
         branches = one.piece.branches
         closed = max(at(*point) for point in one.points)
         free = {max((at(*p) for p in b.points), default=-1) for b in branches}
@@ -210,8 +207,9 @@ def _found_inside(
             left += 1
             continue
         inside = _met(graph, branches, rows, at, kept, finds)
-        waiting += inside.pieces
         left, unmet = left + inside.left, unmet + inside.unmet
+        for part in inside.pieces:
+            (finds if is_find(part) else waiting).append(part)
     reasons = [locus.reason, _why_open(left, unmet)]
     return TiedFinds(tuple(finds), tuple(others), "; ".join(filter(None, reasons)))
 
