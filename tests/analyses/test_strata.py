@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
 from itertools import combinations
-from typing import Any
 
 import numpy as np
 import pytest
 from kinematics.float_loops import FloatLoops, counted
 from loci.numeric import Array, value
+from one_process import grouped
 from scipy.optimize import least_squares
 from typer.testing import CliRunner
 
@@ -40,14 +40,6 @@ CASES = (
 GAP = 1e5
 ROW = "5 (2 and 4) 4, 4 3, not 4 3 (0T3R) 0, not 1 generally"
 NOTHING = 1e-12
-
-
-def grouped(*names: str) -> list[Any]:
-    """Tests of one mechanism in one process, which answers once."""
-    return [
-        pytest.param(name, marks=pytest.mark.xdist_group(f"strata of {name}"))
-        for name in names
-    ]
 
 
 @cache
@@ -86,7 +78,7 @@ def rank(matrix: Array) -> int:
     return found.rank
 
 
-@pytest.mark.parametrize("name", grouped(*CASES))
+@pytest.mark.parametrize("name", grouped("strata of", *CASES))
 def test_singular_values_at_a_real_posture_agree(name: str) -> None:
     """All numbers of a stratum, from twists that are written down in floats."""
     answer, strata = answered(name)
@@ -186,7 +178,7 @@ def test_parallel_legs_of_the_flat_platform_of_tsai() -> None:
 
 
 @pytest.mark.parametrize(
-    "name", grouped("five_bar", "isoglide4_t3r1", "four_bar_planar")
+    "name", grouped("strata of", "five_bar", "isoglide4_t3r1", "four_bar_planar")
 )
 def test_what_is_everywhere_does_not_change_and_generally_does(name: str) -> None:
     """Another state on a stratum inside shows that a state is not everywhere."""
@@ -199,7 +191,7 @@ def test_what_is_everywhere_does_not_change_and_generally_does(name: str) -> Non
 
 
 @pytest.mark.parametrize(
-    "name", grouped("3prs", "five_bar", "2upr_rpu", "isoglide4_t3r1")
+    "name", grouped("strata of", "3prs", "five_bar", "2upr_rpu", "isoglide4_t3r1")
 )
 def test_every_pair_that_meets_is_listed(name: str) -> None:
     """Common zeros of two components are looked for in numbers, by least squares."""

@@ -17,6 +17,7 @@ import pytest
 from kinematics.float_loops import FloatLoops, counted
 from loci.numeric import Array, value, values
 from loci.searching import solved
+from one_process import grouped
 
 import screwkit as sk
 from screwkit.algebra.expression import Expression
@@ -139,7 +140,7 @@ def mobility(whole: At, locked: tuple[str, ...] = ()) -> int:
     return int(passive.shape[1]) - clear_rank(passive)
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", grouped("loci of", *CASES))
 def test_regular_postures_are_generic(name: str) -> None:
     found = answer(name)
     assert found.actuation is not None
@@ -153,7 +154,7 @@ def test_regular_postures_are_generic(name: str) -> None:
             assert freedom(alone.platform()) == limb.generic_rank
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", grouped("loci of", *CASES))
 def test_limbs_lose_what_is_said(name: str) -> None:
     found = answer(name).limb
     assert any(limb.components for limb in found)
@@ -164,7 +165,7 @@ def test_limbs_lose_what_is_said(name: str) -> None:
             assert freedom(alone.platform()) == component.rank < limb.generic_rank
 
 
-@pytest.mark.parametrize("name", [*CASES[:4], "watt_six_bar"])
+@pytest.mark.parametrize("name", grouped("loci of", *CASES[:4], "watt_six_bar"))
 def test_loops_lose_what_is_said(name: str) -> None:
     found = answer(name).constraint
     for seed, component in enumerate(found.components):
@@ -173,7 +174,7 @@ def test_loops_lose_what_is_said(name: str) -> None:
         assert freedom(whole.platform()) == component.platform_freedom
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", grouped("loci of", *CASES))
 def test_locked_platforms_move_as_is_said(name: str) -> None:
     found = answer(name).actuation
     assert found is not None
@@ -226,7 +227,7 @@ def minimum(function: Callable[[float], float], low: float, high: float) -> floa
     return (low + high) / 2
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", grouped("loci of", *CASES))
 @pytest.mark.parametrize("part", ["constraint", "actuation"])
 def test_singular_postures_on_lines_are_listed(name: str, part: str) -> None:
     """On random lines the rank falls on listed components and nowhere else."""
