@@ -17,7 +17,8 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import TypeAlias
 
-from screwkit.algebra.angle_norms import Effort, without_angle
+from screwkit.algebra.angle_norms import without_angle
+from screwkit.algebra.effort import Effort
 from screwkit.algebra.fixed_angles import fixed_angles, put_in
 from screwkit.algebra.points import (
     Point,

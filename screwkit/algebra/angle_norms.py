@@ -10,9 +10,9 @@ References: [CoxLittleOShea] §3.1 (elimination).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
+from screwkit.algebra.effort import Effort
 from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.substitution import angle_parts
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
@@ -26,22 +26,6 @@ class _Value(NamedTuple):
 
     u: Polynomial
     v: Polynomial
-
-
-@dataclass
-class Effort:
-    """What may still be spent on an elimination.
-
-    Attributes:
-        left: Products of terms.
-    """
-
-    left: int
-
-    def spend(self, products: int) -> bool:
-        """Whether so many could be paid for."""
-        self.left -= products
-        return self.left >= 0
 
 
 def without_angle(

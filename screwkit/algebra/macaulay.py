@@ -20,7 +20,7 @@ from typing import Any, Final, TypeAlias
 
 from flint import nmod_mat
 
-from screwkit.algebra.angle_norms import Effort
+from screwkit.algebra.effort import Effort
 
 Exponents: TypeAlias = tuple[int, ...]
 Terms: TypeAlias = Mapping[Exponents, int]
@@ -135,13 +135,13 @@ def zeros(found: Multiples, source: random.Random) -> Iterator[list[int]]:
                 at = row * size + place[own]
                 table[at] = (table[at] + weight * value) % prime
     matrix = nmod_mat(size, size, table, prime)
-    one = place.get((0,) * found.count)
+    one = place[(0,) * found.count]
     for root, _ in matrix.charpoly().roots():
         shifted = nmod_mat(matrix)
         for number in range(size):
             shifted[number, number] -= root
         kernel, nullity = shifted.nullspace()
-        if int(nullity) != 1 or one is None or not int(kernel[one, 0]):
+        if int(nullity) != 1 or not int(kernel[one, 0]):
             continue
         scale = pow(int(kernel[one, 0]), -1, prime)
         values = [int(kernel[number, 0]) * scale % prime for number in range(size)]

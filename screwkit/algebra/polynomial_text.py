@@ -138,7 +138,8 @@ class PolynomialPrinter:
             factors = [
                 texts[e] for texts, e in zip(powers, exponents, strict=True) if e
             ]
-            factors = _roots_joined(factors)
+            if skipped > 1:
+                factors = _roots_joined(factors)
             numerator, denominator = int(coefficient.p), int(coefficient.q)
             negative = (numerator < 0) != flip
             if abs(numerator) != 1 or not factors:

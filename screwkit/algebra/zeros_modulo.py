@@ -14,9 +14,9 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from screwkit.algebra.angle_norms import Effort
 from screwkit.algebra.branches import random_branch_prime
-from screwkit.algebra.macaulay import WIDEST, WORK, multiples, zeros
+from screwkit.algebra.effort import Effort
+from screwkit.algebra.macaulay import WORK, multiples, zeros
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.points_on import Unknown, unknowns
 from screwkit.algebra.residue_systems import ResidueSystem, residue_systems
@@ -36,8 +36,6 @@ def have_no_zero(
     ring: TrigonometricRing,
     equations: Sequence[Polynomial],
     given: Collection[Unknown],
-    *,
-    widest: int = WIDEST,
 ) -> bool:
     """Whether it is seen that equations have no common zero, complex ones included.
 
@@ -45,20 +43,19 @@ def have_no_zero(
         ring: Of the equations.
         equations: In normal form.
         given: Unknowns of which the answer holds in general, as dimensions.
-        widest: Monomials that are eliminated together, at most.
     """
     source = random.Random(20_122)
     for _ in range(_PRIMES):
         prime = random_branch_prime(source)
         systems = residue_systems(ring, equations, given, prime, source)
-        if systems is None or not all(_is_empty(own, widest) for own in systems):
+        if systems is None or not all(map(_is_empty, systems)):
             return False
     return True
 
 
-def _is_empty(system: ResidueSystem, widest: int) -> bool:
+def _is_empty(system: ResidueSystem) -> bool:
     terms, count, effort = system.terms(), len(system.left), Effort(WORK)
-    found = multiples(terms, count, system.prime, effort, widest=widest)
+    found = multiples(terms, count, system.prime, effort)
     return found is not None and found.is_whole
 
 

@@ -89,9 +89,14 @@ def closing_tree(mechanism: Mechanism) -> tuple[str, ...]:
     does at a hinge, and free of the variables of both.  Where no forest has fewer
     variables than `spanning_tree` it is that one.
     """
+    nearest = _forest(mechanism)
+    counts: dict[bool, list[int]] = {True: [0], False: []}
+    for joint in mechanism.joints:
+        counts[joint.name in nearest.joints].append(_variables(joint, mechanism))
+    if max(counts[True]) <= min(counts[False], default=max(counts[True])):
+        return spanning_tree(mechanism)  # nothing to exchange, and nothing to import
     import networkx as nx  # noqa: PLC0415
 
-    nearest = _forest(mechanism)
     graph: Any = nx.MultiGraph()
     graph.add_nodes_from(mechanism.links)
     for joint in mechanism.joints:

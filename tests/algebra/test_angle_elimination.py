@@ -12,8 +12,9 @@ from loci.numeric import Array, value
 from one_ring import in_one_ring
 
 from screwkit.algebra.angle_elimination import eliminated
-from screwkit.algebra.angle_norms import Effort, without_angle
+from screwkit.algebra.angle_norms import without_angle
 from screwkit.algebra.branches import random_branch_prime
+from screwkit.algebra.effort import Effort
 from screwkit.algebra.no_real_angle import never_met
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import unknowns

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from loci.numeric import value
 from one_ring import in_one_ring
 
-from screwkit.algebra.angle_norms import Effort
+from screwkit.algebra.effort import Effort
 from screwkit.algebra.fixed_angles import fixed_angles, put_in
 from screwkit.algebra.macaulay import Terms, multiples, zeros
 from screwkit.algebra.points import residue
