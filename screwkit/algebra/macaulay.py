@@ -16,15 +16,21 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import comb
-from typing import Any, Final, TypeAlias
+from typing import Final
 
 from flint import nmod_mat
 
+from screwkit.algebra.echelon_modulo import Echelon
 from screwkit.algebra.effort import Effort
-
-Exponents: TypeAlias = tuple[int, ...]
-Terms: TypeAlias = Mapping[Exponents, int]
-"""A polynomial: residues by exponents; never empty, and none of them 0."""
+from screwkit.algebra.monomials import (
+    Exponents,
+    Terms,
+    degree_of,
+    monomials,
+    raised,
+    times,
+    unit,
+)
 
 WIDEST: Final = 1_300
 """Monomials of a matrix, at most."""
@@ -81,6 +87,7 @@ def multiples(
     effort: Effort,
     *,
     widest: int = WIDEST,
+    away: Sequence[Terms] = (),
 ) -> Multiples | None:
     """What multiples of polynomials imply, from low degrees on, until zeros are known.
 
@@ -90,6 +97,7 @@ def multiples(
         prime: The modulus.
         effort: Products of residues that it may take.
         widest: Monomials that are eliminated together, at most.
+        away: Polynomials whose zeros are left out (`Echelon.quotients`).
 
     Returns:
         Whole or finite; None where neither came out within width and effort.
@@ -98,22 +106,42 @@ def multiples(
         return Multiples(prime, count, 0, {(0,) * count: {(0,) * count: 1}})
     if not count:
         return Multiples(prime, 0, 0, {})
-    degrees = [max(map(sum, equation)) for equation in equations]
+    rows = echelon_of(equations, count, prime, effort, widest=widest, away=away)
+    if rows.degree < 0 or not (rows.is_whole or rows.is_finite):
+        return None
+    return Multiples(prime, count, rows.degree, rows.rows())
+
+
+def echelon_of(
+    equations: Sequence[Terms],
+    count: int,
+    prime: int,
+    effort: Effort,
+    *,
+    widest: int = WIDEST,
+    away: Sequence[Terms] = (),
+) -> Echelon:
+    """The rows that `multiples` comes to, be they whole, finite or neither.
+
+    Args:
+        equations: The polynomials, none of them constant.
+        count: Of variables, at least one.
+        prime: The modulus.
+        effort: See `multiples`, as the others.
+        widest: The same.
+        away: The same.
+    """
+    degrees = [degree_of(equation) for equation in equations]
     degree = min(degrees, default=0)
     # Macaulay's bound: beyond, nothing comes out unless zeros lie at infinity.
     largest = 1 + sum(own - 1 for own in sorted(degrees)[-count - 1 :])
-    found: dict[Exponents, Terms] = {}
+    rows = Echelon(count, prime, effort)
     while 0 < degree <= largest and comb(count + degree, degree) <= widest:
         fresh = [e for e, own in zip(equations, degrees, strict=True) if own == degree]
-        closed = _closed(found, fresh, degree, (count, prime), effort)
-        if closed is None:
-            return None
-        found = closed
-        answer = Multiples(prime, count, degree, found)
-        if answer.is_whole or answer.is_finite:
-            return answer
+        if not _closed(rows, fresh, degree, away) or rows.is_whole or rows.is_finite:
+            break
         degree += 1
-    return None
+    return rows
 
 
 def zeros(found: Multiples, source: random.Random) -> Iterator[list[int]]:
@@ -125,104 +153,53 @@ def zeros(found: Multiples, source: random.Random) -> Iterator[list[int]]:
     """
     basis, prime = found.below(), found.prime
     place = {monomial: number for number, monomial in enumerate(basis)}
-    units = [_unit(number, found.count) for number in range(found.count)]
+    units = [unit(number, found.count) for number in range(found.count)]
     weights = [source.randrange(prime) for _ in units]
     size = len(basis)
     table = [0] * size * size
     for row, monomial in enumerate(basis):
-        for weight, unit in zip(weights, units, strict=True):
-            for own, value in found.normal(_times(monomial, unit)).items():
+        for weight, one in zip(weights, units, strict=True):
+            for own, value in found.normal(times(monomial, one)).items():
                 at = row * size + place[own]
                 table[at] = (table[at] + weight * value) % prime
     matrix = nmod_mat(size, size, table, prime)
-    one = place[(0,) * found.count]
+    constant = place[(0,) * found.count]
     for root, _ in matrix.charpoly().roots():
         shifted = nmod_mat(matrix)
         for number in range(size):
             shifted[number, number] -= root
         kernel, nullity = shifted.nullspace()
-        if int(nullity) != 1 or not int(kernel[one, 0]):
+        if int(nullity) != 1 or not int(kernel[constant, 0]):
             continue
-        scale = pow(int(kernel[one, 0]), -1, prime)
+        scale = pow(int(kernel[constant, 0]), -1, prime)
         values = [int(kernel[number, 0]) * scale % prime for number in range(size)]
         yield [
-            sum(c * values[place[m]] for m, c in found.normal(unit).items()) % prime
-            for unit in units
+            sum(c * values[place[m]] for m, c in found.normal(one).items()) % prime
+            for one in units
         ]
 
 
 def _closed(
-    known: Mapping[Exponents, Terms],
-    fresh: Sequence[Terms],
-    degree: int,
-    sizes: tuple[int, int],
-    effort: Effort,
-) -> dict[Exponents, Terms] | None:
-    """Reduced rows of a degree: what is known times variables, and fresh polynomials.
+    rows: Echelon, fresh: Sequence[Terms], degree: int, away: Sequence[Terms]
+) -> bool:
+    """Take up all multiples of a degree; whether that did not take too much.
 
-    None where that takes too much.
+    With what falls in degree, and what is left where some polynomials are not zero.
     """
-    count, prime = sizes
-    order = monomials(count, degree)
-    units = [_unit(number, count) for number in range(count)]
-    rows: list[Terms] = [*known.values(), *fresh]
-    rows += _raised([r for lead, r in known.items() if sum(lead) == degree - 1], units)
-    seen = {lead for lead in known if sum(lead) < degree - 1}
-    while True:
-        if not effort.spend(len(rows) * len(order) * min(len(rows), len(order))):
-            return None
-        found = _eliminated(rows, order, prime)
-        fallen = [x for x in found if sum(x) < degree and x not in seen]
-        if not fallen or (0,) * count in found:
-            return found
-        seen.update(fallen)
-        rows = [*found.values(), *_raised([found[x] for x in fallen], units)]
-
-
-def _raised(rows: Sequence[Terms], units: Sequence[Exponents]) -> list[Terms]:
-    """Every polynomial times every variable."""
-    return [{_times(m, u): c for m, c in row.items()} for row in rows for u in units]
-
-
-def _eliminated(
-    rows: Sequence[Terms], order: Sequence[Exponents], prime: int
-) -> dict[Exponents, Terms]:
-    """The reduced rows of a matrix by their leading monomials, large ones first."""
-    place = {monomial: number for number, monomial in enumerate(order)}
-    width = len(order)
-    entries = [0] * (width * len(rows))
-    for number, row in enumerate(rows):
-        start = number * width
-        for monomial, value in row.items():
-            entries[start + place[monomial]] = value
-    matrix: Any = nmod_mat(len(rows), width, entries, prime)
-    reduced, rank = matrix.rref()
-    values = [int(value) for value in reduced.entries()[: int(rank) * width]]
-    found: dict[Exponents, Terms] = {}
-    for start in range(0, len(values), width):
-        own = {
-            order[k]: value
-            for k, value in enumerate(values[start : start + width])
-            if value
-        }
-        found[next(iter(own))] = own
-    return found
-
-
-def monomials(count: int, degree: int) -> list[Exponents]:
-    """All exponents of at most a degree, those of large degree first."""
-    found: list[list[Exponents]] = [[(0,) * count]]
-    for _ in range(degree):
-        higher = dict.fromkeys(
-            _times(m, _unit(k, count)) for m in found[-1] for k in range(count)
-        )
-        found.append(sorted(higher, reverse=True))
-    return [monomial for level in reversed(found) for monomial in level]
-
-
-def _unit(number: int, count: int) -> Exponents:
-    return tuple(int(k == number) for k in range(count))
-
-
-def _times(one: Exponents, other: Exponents) -> Exponents:
-    return tuple(map(int.__add__, one, other))
+    units = [unit(number, rows.count) for number in range(rows.count)]
+    lower = [rows.row(lead) for lead in rows.leads if sum(lead) == degree - 1]
+    rows.raised_to(degree)
+    waiting = [*fresh, *raised(lower, units)]
+    is_new = bool(fresh)  # of multiples alone nothing is left over
+    while waiting:
+        found = rows.add(waiting)
+        if found is None:
+            return False
+        if not any(map(any, found)) and found:
+            return True
+        fallen = [lead for lead in found if sum(lead) < degree]
+        is_new = is_new or bool(fallen)
+        waiting = raised([rows.row(lead) for lead in fallen], units)
+        if not waiting and is_new:
+            waiting = rows.quotients(away)
+    return rows.effort.left >= 0

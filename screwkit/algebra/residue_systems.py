@@ -16,7 +16,7 @@ from typing import Any, Final, TypeAlias
 
 from flint import Ordering, nmod_mpoly_ctx
 
-from screwkit.algebra.macaulay import Terms
+from screwkit.algebra.monomials import Terms
 from screwkit.algebra.points import Point, random_point, root_modulo, with_inverses
 from screwkit.algebra.points_on import Unknown, unknowns
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
@@ -39,6 +39,7 @@ class ResidueSystem:
         equations: Polynomials in the variables that are left, none of them 0.
         solved: What became of the others, the last one first to be put in: a variable,
             and the polynomial that it is.
+        away: Polynomials whose zeros are left out; none of them 0.
     """
 
     prime: int
@@ -47,6 +48,7 @@ class ResidueSystem:
     pairs: tuple[tuple[int, int], ...]
     equations: tuple[_Residues, ...]
     solved: tuple[tuple[int, _Residues], ...] = ()
+    away: tuple[_Residues, ...] = ()
 
     @property
     def left(self) -> list[int]:
@@ -56,10 +58,17 @@ class ResidueSystem:
 
     def terms(self) -> list[Terms]:
         """The equations in the variables that are left alone."""
+        return self._in_left(self.equations)
+
+    def away_terms(self) -> list[Terms]:
+        """What is left out, in the variables that are left alone; constants apart."""
+        return self._in_left([own for own in self.away if _degree(own)])
+
+    def _in_left(self, polynomials: Sequence[_Residues]) -> list[Terms]:
         kept = self.left
         return [
             {tuple(int(e[k]) for k in kept): int(c) for e, c in own.to_dict().items()}
-            for own in self.equations
+            for own in polynomials
         ]
 
     def point(self, ring: TrigonometricRing, values: Sequence[int]) -> Point:
@@ -81,6 +90,7 @@ def residue_systems(
     given: Collection[Unknown],
     prime: int,
     source: random.Random,
+    away: Sequence[Sequence[Polynomial]] = (),
 ) -> list[ResidueSystem] | None:
     """The systems modulo a prime that have together the zeros of equations.
 
@@ -90,6 +100,8 @@ def residue_systems(
         given: Unknowns that have random values.
         prime: The modulus.
         source: Of the values.
+        away: Sets whose common zeros are left out.  For each stands a random sum of
+            multiples: that vanishes on a set alone where all of them do.
 
     Returns:
         Those without a contradiction that is seen; None where a root or an inverse of
@@ -98,9 +110,10 @@ def residue_systems(
     base = random_point(ring, source, prime)
     if base is None:
         return None
-    free = [*dict.fromkeys(u for e in equations for u in unknowns(ring, e))]
+    every = [*equations, *(e for own in away for e in own)]
+    free = [*dict.fromkeys(u for e in every for u in unknowns(ring, e))]
     free = [unknown for unknown in free if unknown not in given]
-    if _extends(ring, equations):
+    if _extends(ring, every):
         return None
     places: list[int] = []
     pairs: list[tuple[int, int]] = []
@@ -115,8 +128,21 @@ def residue_systems(
     own = [_read(context, e, places, base, prime) for e in equations]
     gens = context.gens()
     own += [gens[s] ** 2 + gens[c] ** 2 - 1 for s, c in pairs]
-    system = ResidueSystem(prime, base, tuple(places), tuple(pairs), tuple(own))
-    return [*_taken_apart(replace(system, equations=_without_zeros(own)))]
+    left_out = []
+    for one in away:
+        read = [_read(context, e, places, base, prime) for e in one]
+        left_out.append(sum(e * source.randrange(1, prime) for e in read))
+    if any(polynomial == 0 for polynomial in left_out):
+        return []
+    system = ResidueSystem(
+        prime,
+        base,
+        tuple(places),
+        tuple(pairs),
+        _without_zeros(own),
+        away=tuple(left_out),
+    )
+    return [*_taken_apart(system)]
 
 
 def _extends(ring: TrigonometricRing, equations: Sequence[Polynomial]) -> bool:
@@ -155,7 +181,7 @@ def _taken_apart(system: ResidueSystem) -> Iterator[ResidueSystem]:
     waiting = [system]
     while waiting:
         own = waiting.pop()
-        if any(_degree(equation) == 0 for equation in own.equations):
+        if is_contradictory(own):
             continue
         values = None
         if len(waiting) + len(done) < SHEETS:
@@ -167,8 +193,14 @@ def _taken_apart(system: ResidueSystem) -> Iterator[ResidueSystem]:
         waiting += [_with(own, [*zip(pair, image, strict=True)]) for image in images]
     for own in done:
         solved = _linear_solved(own)
-        if not any(_degree(equation) == 0 for equation in solved.equations):
+        if not is_contradictory(solved):
             yield solved
+
+
+def is_contradictory(system: ResidueSystem) -> bool:
+    """Whether a number that is not 0 should vanish, or what should not is 0."""
+    wrong = any(_degree(equation) == 0 for equation in system.equations)
+    return wrong or any(own == 0 for own in system.away)
 
 
 def _fixed(
@@ -273,6 +305,7 @@ def _with(
         system,
         pairs=tuple(pair for pair in system.pairs if not gone & {*pair}),
         equations=_without_zeros([e.compose(*gens) for e in system.equations]),
+        away=tuple(own.compose(*gens) for own in system.away),
         solved=(*system.solved, *images),
     )
 

@@ -16,10 +16,12 @@ from typing import Final
 
 from screwkit.algebra.branches import random_branch_prime
 from screwkit.algebra.effort import Effort
+from screwkit.algebra.finite_algebra import LARGEST, FiniteAlgebra
 from screwkit.algebra.macaulay import WORK, multiples, zeros
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.points_on import Unknown, unknowns
 from screwkit.algebra.residue_systems import ResidueSystem, residue_systems
+from screwkit.algebra.solved_residues import solved_parts
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 _SLICES: Final = ((100, 12), (300, 8), (1_100, 4))
@@ -36,6 +38,8 @@ def have_no_zero(
     ring: TrigonometricRing,
     equations: Sequence[Polynomial],
     given: Collection[Unknown],
+    away: Sequence[Sequence[Polynomial]] = (),
+    effort: Effort | None = None,
 ) -> bool:
     """Whether it is seen that equations have no common zero, complex ones included.
 
@@ -43,20 +47,31 @@ def have_no_zero(
         ring: Of the equations.
         equations: In normal form.
         given: Unknowns of which the answer holds in general, as dimensions.
+        away: Sets whose common zeros are left out.
+        effort: Products of residues that it may take; enough for each system if None.
     """
     source = random.Random(20_122)
     for _ in range(_PRIMES):
         prime = random_branch_prime(source)
-        systems = residue_systems(ring, equations, given, prime, source)
-        if systems is None or not all(map(_is_empty, systems)):
+        systems = residue_systems(ring, equations, given, prime, source, away)
+        if systems is None:
+            return False
+        parts = [part for own in systems for part in solved_parts(own)]
+        if not all(_is_empty(part, effort or Effort(WORK)) for part in parts):
             return False
     return True
 
 
-def _is_empty(system: ResidueSystem) -> bool:
-    terms, count, effort = system.terms(), len(system.left), Effort(WORK)
-    found = multiples(terms, count, system.prime, effort)
-    return found is not None and found.is_whole
+def _is_empty(system: ResidueSystem, effort: Effort) -> bool:
+    terms, away = system.terms(), system.away_terms()
+    found = multiples(terms, len(system.left), system.prime, effort, away=away)
+    if found is None or found.is_whole:
+        return found is not None
+    # Equations of larger degrees have not been asked yet.
+    size = len(found.below())
+    if size > LARGEST or not effort.spend(size**3 * (len(terms) + len(away))):
+        return False
+    return FiniteAlgebra(found).are_left_out(terms, away)
 
 
 def exact_zeros(

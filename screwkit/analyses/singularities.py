@@ -43,11 +43,11 @@ from screwkit.loci.hybrid_actuation import state_on
 from screwkit.loci.lifting import with_sheets_together
 from screwkit.loci.limb_drops import limb_drop, limb_pieces
 from screwkit.loci.loop_drop import (
-    LoopDrop,
     loop_drop,
     loop_state,
     rank_is_lost,
 )
+from screwkit.loci.loop_drop_found import LoopDrop
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.mechanism_figures import axes_of, figures_of, figures_on
 from screwkit.loci.pieces import Piece, pieces_of, told_apart, without_contained

@@ -17,6 +17,7 @@ from screwkit.algebra.cases import is_too_long
 from screwkit.algebra.decomposition import beside_special, common_zeros
 from screwkit.algebra.search import Search
 from screwkit.algebra.taken_apart import Apart, taken_apart
+from screwkit.algebra.trigonometric import Polynomial
 from screwkit.errors import TooLargeError
 from screwkit.kinematics.limb_parts import Parts
 from screwkit.loci.pieces import Piece, lies_in
@@ -72,6 +73,22 @@ def dependent_zeros(
     if not branch.points:
         return Dependence((), (branch,))
     return _Zeros(limbs, search, within, in_blocks).on(branch)
+
+
+def minors_on(
+    branch: Branch, limbs: Sequence[Parts], search: Search
+) -> list[list[Polynomial]]:
+    """Minors that vanish where limbs that keep their ranks become dependent.
+
+    All of one list do; none where they are too long.
+    """
+    lists = block_minors(branch, limbs, height_of(limbs), search)
+    if lists is not None:
+        return lists
+    try:
+        return [telling_minors(branch, limbs, search, within=True) or []]
+    except TooLargeError:
+        return []
 
 
 @dataclass(frozen=True)

@@ -22,11 +22,11 @@ from screwkit.loci.actuation_locus import ActuationLocus
 from screwkit.loci.exact_equations import Singularity, with_exact_equations
 from screwkit.loci.hybrid_strata import HybridStrata, hybrid_strata
 from screwkit.loci.loop_drop import (
-    LoopDrop,
     loop_drop,
     loop_state,
     platform_is_freer,
 )
+from screwkit.loci.loop_drop_found import LoopDrop
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.mechanism_figures import figures_of
 from screwkit.loci.pieces import Piece, lies_in, without_contained

@@ -11,13 +11,15 @@ References: [LongCaroKhalil2012] §5.2.1; [Zlatanov2002].
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import TypeAlias
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import beside_special, common_zeros, other_parts
+from screwkit.algebra.effort import Effort
 from screwkit.algebra.points import rank_at
 from screwkit.algebra.search import Search, imposed
 from screwkit.algebra.trigonometric import Polynomial
@@ -25,10 +27,11 @@ from screwkit.kinematics.limb_parts import Parts, motion_at
 from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.kinematics.loop_state import LoopState, state_of
 from screwkit.loci.alike_sheets import AlikeSheets
+from screwkit.loci.dependence import minors_on
 from screwkit.loci.either_way import zeros_either_way
-from screwkit.loci.features import listed
 from screwkit.loci.local_codimension import codimension_around
-from screwkit.loci.open_branches import lying_where, undecided
+from screwkit.loci.loop_drop_found import LoopDrop
+from screwkit.loci.open_branches import lying_where
 from screwkit.loci.pieces import (
     Piece,
     has_equations_of,
@@ -38,64 +41,20 @@ from screwkit.loci.pieces import (
     without_contained,
 )
 from screwkit.loci.strata import LimbStrata, Stratum
+from screwkit.loci.what_is_left import parts_left
 from screwkit.loci.wrench_sums import height_of
 
 _EFFORT = 1_200  # case distinctions in all; long polynomials count more
 _BUDGET = 150  # case distinctions on one branch
 _EARNED = 400  # more, for each branch that was decided with angles kept
 _TOGETHER = 120  # case distinctions to meet the equations of some strata
+_AGAIN = 40  # branches left open that are looked at again
+_LINEAR = 6_000_000_000  # products of residues for all of these
 _BESIDE = 30  # case distinctions for parts of a branch that its points do not show
 
 
 Lost: TypeAlias = Callable[[LoopState, LoopState], bool]
 """Of the state on a branch and the generic one: whether the branch is a find."""
-
-
-@dataclass(frozen=True)
-class LoopDrop:
-    """Pieces on which the loop constraint matrix loses rank.
-
-    Attributes:
-        open: Branches that were not decided; every further piece lies in one of them.
-        searched: All pieces up to this codimension are among ``pieces`` or ``open``;
-            None where there is no such limit.
-        unsearched: Number of combinations of strata beyond that.
-        where: In what postures the open branches lie, in words.
-        around: Codimensions of components that are not among ``pieces``, for a part of
-            each was found: the locus is smooth there, and larger.
-    """
-
-    generic: LoopState
-    pieces: tuple[Piece, ...]
-    open: tuple[Branch, ...]
-    searched: int | None = None
-    unsearched: int = 0
-    around: tuple[int, ...] = ()
-    where: str = ""
-
-    @property
-    def complete(self) -> bool:
-        """Whether ``pieces`` is the whole locus."""
-        return not self.open and self.searched is None
-
-    @property
-    def reason(self) -> str:
-        """Why it is not complete; empty where it is."""
-        reasons = []
-        if self.around:
-            sizes = listed([*map(str, sorted(set(self.around)))])
-            reasons.append(
-                f"there are components of codimension {sizes} of which parts were found"
-            )
-        if self.open:
-            reasons.append(undecided(self.open))
-            reasons += [self.where] if self.where else []
-        if self.searched is not None:
-            reasons.append(
-                f"all pieces up to codimension {self.searched} were searched; "
-                f"{self.unsearched} combinations of limb strata beyond were not"
-            )
-        return "; ".join(reasons)
 
 
 def loop_state(branch: Branch, limbs: Sequence[Parts]) -> LoopState | None:
@@ -106,6 +65,10 @@ def loop_state(branch: Branch, limbs: Sequence[Parts]) -> LoopState | None:
         for point, prime in branch.points
     ]
     return max(states, key=lambda s: (s.inner, sum(s.limbs), s.loop), default=None)
+
+
+_Left: TypeAlias = tuple[Branch, Branch, Sequence[Stratum]]
+"""A branch that was left open, the one on which it was, and what strata that is of."""
 
 
 @dataclass
@@ -122,7 +85,9 @@ class _Walk:
     found: list[Branch] = field(default_factory=list)
     passed: list[Branch] = field(default_factory=list)
     open: list[Branch] = field(default_factory=list)
+    left: list[_Left] = field(default_factory=list)
     places: list[tuple[list[Polynomial], list[Branch]]] = field(default_factory=list)
+    linear: Effort = field(default_factory=lambda: Effort(_LINEAR))
     sheets: AlikeSheets = field(default_factory=AlikeSheets)
     pieces: list[Piece] = field(default_factory=list)
     effort: int = _EFFORT
@@ -207,13 +172,12 @@ def loop_drop(
             searched = sum(s.codimension for s in chosen) - 1
             unsearched = len(combinations) - position
             break
-        known, left_open = len(walk.found), len(walk.open)
-        _visit(root, chosen, walk)
-        if walk.open[left_open:]:
-            conditions = [e for stratum in chosen for e in stratum.equations]
-            walk.places.append((conditions, walk.open[left_open:]))
+        known = len(walk.found)
+        with _noted(chosen, walk):
+            _visit(root, chosen, walk)
         if len(walk.found) > known:
             early(walk.pieces, generic)
+    _look_again(walk)
     pieces, parts = _told_from_parts(_found_pieces(walk), walk)
     left = [*walk.open, *search.unfinished]
     undecided = [*left, *walk.sheets.others(left)]
@@ -238,6 +202,38 @@ def loop_drop(
     return LoopDrop(
         generic, tuple(pieces), open_left, searched, unsearched, around, where
     )
+
+
+@contextmanager
+def _noted(chosen: Sequence[Stratum], walk: _Walk) -> Iterator[None]:
+    """Take note of where branches lie that are left open."""
+    before = len(walk.open)
+    yield
+    if walk.open[before:]:
+        conditions = [e for stratum in chosen for e in stratum.equations]
+        walk.places.append((conditions, walk.open[before:]))
+
+
+def _look_again(walk: _Walk) -> None:
+    """What was left open, where more pieces are known by now."""
+    walk.left.sort(key=lambda own: -own[0].codimension)  # small ones cost little
+    for _ in range(_AGAIN):
+        if not walk.left or walk.linear.left <= 0:
+            break
+        branch, around, chosen = walk.left.pop(0)
+        known = [p.equations for p in (*_deeper(chosen, walk), *walk.pieces)]
+        lists = minors_on(around, walk.limbs, walk.search)
+        library, effort = walk.search.library, walk.linear
+        parts = parts_left(branch, lists, known, library, effort) if lists else None
+        if parts is None:
+            continue
+        walk.open = [own for own in walk.open if own is not branch]
+        walk.effort = max(walk.effort, _BUDGET)
+        with _noted(chosen, walk):
+            for part in parts:
+                for own in _untied(part, walk):
+                    if not walk.known(own):
+                        _examine(own, chosen, walk)
 
 
 def _found_pieces(walk: _Walk) -> list[Piece]:
@@ -362,12 +358,7 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
     if walk.lost(state, walk.generic):
         walk.keep([branch])
         return
-    deeper = [
-        Piece(equations, ())
-        for limb, own in zip(walk.strata, chosen, strict=True)
-        for equations in limb.below(own)
-    ]
-    elsewhere = deeper + walk.pieces
+    elsewhere = _deeper(chosen, walk) + walk.pieces
     search = replace(
         walk.search,
         found=[],
@@ -388,3 +379,13 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         walk.effort += _EARNED
     walk.keep(zeros.branches)
     walk.open.extend(zeros.open)
+    walk.left.extend((own, branch, chosen) for own in zeros.open)
+
+
+def _deeper(chosen: Sequence[Stratum], walk: _Walk) -> list[Piece]:
+    """Where limbs have lower ranks than on their strata."""
+    return [
+        Piece(equations, ())
+        for limb, own in zip(walk.strata, chosen, strict=True)
+        for equations in limb.below(own)
+    ]

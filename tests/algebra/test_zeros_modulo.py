@@ -14,7 +14,8 @@ from one_ring import in_one_ring
 
 from screwkit.algebra.effort import Effort
 from screwkit.algebra.fixed_angles import fixed_angles, put_in
-from screwkit.algebra.macaulay import Terms, multiples, zeros
+from screwkit.algebra.macaulay import multiples, zeros
+from screwkit.algebra.monomials import Terms
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import equation_text
 from screwkit.algebra.slopes import slope
