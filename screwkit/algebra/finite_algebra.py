@@ -49,24 +49,67 @@ class FiniteAlgebra:
             equations: Of any degrees.
             away: The factors.
         """
-        size = self.dimension
-        ideal: Any = nmod_mat(0, size, [], self._prime)
+        ideal = self._ideal(equations)
+        if ideal.nrows() == self.dimension:
+            return True
+        return not self._is_outside(ideal, self._power(away))
+
+    def by_variable(
+        self, equations: Sequence[Terms], away: Sequence[Terms], most: int
+    ) -> list[list[int]]:
+        """Of each variable a polynomial that vanishes at the zeros that are left.
+
+        Args:
+            equations: Further ones, of any degrees.
+            away: Polynomials whose zeros are left out.
+            most: Their degree, at most.
+
+        Returns:
+            Residues of the coefficients, the constant one first and the last one 1;
+            none of a variable of which it was not found.
+        """
+        ideal, start = self._ideal(equations), self._power(away)
+        found = []
+        for by in self._by:
+            columns, own = [start], list[int]()
+            while len(columns) <= most + 1 and not own:
+                rows = [ideal, *(c.transpose() for c in columns)]
+                kernel, nullity = _below(rows).transpose().nullspace()
+                if int(nullity):
+                    height = ideal.nrows()
+                    values = [int(kernel[height + k, 0]) for k in range(len(columns))]
+                    scale = pow(values[-1], -1, self._prime)
+                    own = [value * scale % self._prime for value in values]
+                columns.append(by * columns[-1])
+            found.append(own)
+        return found
+
+    def _ideal(self, equations: Sequence[Terms]) -> Any:
+        """A basis of what further equations span, as rows."""
+        ideal: Any = nmod_mat(0, self.dimension, [], self._prime)
         for equation in equations:
             rows = self._times(self._value(equation)).transpose()
-            ideal = self._reduced(_stacked(ideal, rows))
-            if ideal.nrows() == size:
-                return True
+            ideal = self._reduced(_below([ideal, rows]))
+            if ideal.nrows() == self.dimension:
+                break
+        return ideal
+
+    def _power(self, factors: Sequence[Terms]) -> Any:
+        """A power of a product that lies in an ideal if any does, as a column."""
         power: Any = None
-        for factor in away:
+        for factor in factors:
             own = self._times(self._value(factor))
             power = own if power is None else power * own
         if power is None:
-            return False
+            return self._one
         exponent = 1
-        while exponent < size:
+        while exponent < self.dimension:
             power, exponent = power * power, 2 * exponent
-        whole = _stacked(ideal, (power * self._one).transpose())
-        return bool(self._reduced(whole).nrows() == ideal.nrows())
+        return power * self._one
+
+    def _is_outside(self, ideal: Any, column: Any) -> bool:
+        rows = self._reduced(_below([ideal, column.transpose()]))
+        return bool(rows.nrows() > ideal.nrows())
 
     def _reduced(self, rows: Any) -> Any:
         reduced, rank = rows.rref()
@@ -123,8 +166,8 @@ class FiniteAlgebra:
         return nmod_mat(size, size, entries, self._prime).transpose()
 
 
-def _stacked(upper: Any, lower: Any) -> Any:
-    """Rows of two matrices below each other."""
-    entries = [*upper.entries(), *lower.entries()]
-    height = upper.nrows() + lower.nrows()
-    return nmod_mat(height, lower.ncols(), [int(x) for x in entries], lower.modulus())
+def _below(matrices: Sequence[Any]) -> Any:
+    """Rows of matrices below each other."""
+    entries = [int(x) for own in matrices for x in own.entries()]
+    height, last = sum(own.nrows() for own in matrices), matrices[-1]
+    return nmod_mat(height, last.ncols(), entries, last.modulus())

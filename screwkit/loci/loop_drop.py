@@ -49,7 +49,7 @@ _BUDGET = 150  # case distinctions on one branch
 _EARNED = 400  # more, for each branch that was decided with angles kept
 _TOGETHER = 120  # case distinctions to meet the equations of some strata
 _AGAIN = 40  # branches left open that are looked at again
-_LINEAR = 6_000_000_000  # products of residues for all of these
+_LINEAR = 5_000_000_000  # products of residues for all of these
 _BESIDE = 30  # case distinctions for parts of a branch that its points do not show
 
 

@@ -12,17 +12,20 @@ References: [CoxLittleOShea] §4.1, §4.4.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from fractions import Fraction
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.effort import Effort
 from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.factors import factor
+from screwkit.algebra.finite_values import unknowns_by_numbers
 from screwkit.algebra.implied_modulo import implied_equations
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import Unknown, unknowns
 from screwkit.algebra.search import Search, before_pending
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.algebra.sturm import real_zeros
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 from screwkit.algebra.zeros_modulo import have_no_zero
 
 MOST_UNKNOWNS = 6
@@ -34,7 +37,7 @@ SHORT = 200
 LONGEST = 3_000
 """Terms of one equation."""
 
-WORK = 2_000_000_000
+WORK = 3_000_000_000
 """Products of residues for one branch."""
 
 _BUDGET = 60
@@ -109,13 +112,28 @@ def _implied(
     own = Effort(min(WORK, effort.left))
     effort.spend(own.left)
     is_empty = have_no_zero(ring, equations, given, inside, own)
+    values = {}
+    if not is_empty and own.left > 0:
+        values = unknowns_by_numbers(ring, equations, given, inside, own)
     effort.left += max(0, own.left)
-    if is_empty:
+    if is_empty or not all(map(real_zeros, values.values())):
         return []
     if not effort.spend(WORK):
         return None
-    told = implied_equations(ring, equations, given, inside, WORK // 2)
-    return [e for e in told if _is_news(branch, e)] or None
+    told = implied_equations(ring, equations, given, inside, WORK // 12)
+    alone = [_in_one(ring, place, own) for place, own in values.items()]
+    return [e for e in (*alone, *told) if _is_news(branch, e)] or None
+
+
+def _in_one(
+    ring: TrigonometricRing, place: int, coefficients: Sequence[Fraction]
+) -> Polynomial:
+    """A polynomial in one generator."""
+    gen = ring.context.gens()[place]
+    total = ring.zero
+    for power, value in enumerate(coefficients):
+        total += ring.rational(value) * gen**power
+    return primitive(ring.normal(total))
 
 
 def _is_news(branch: Branch, equation: Polynomial) -> bool:
