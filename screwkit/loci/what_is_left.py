@@ -40,6 +40,9 @@ LONGEST = 3_000
 WORK = 3_000_000_000
 """Products of residues for one branch."""
 
+TOLD = 250_000_000
+"""The same for equations that are implied, modulo one prime."""
+
 _BUDGET = 60
 """Case distinctions for the zeros of what is implied."""
 
@@ -118,9 +121,9 @@ def _implied(
     effort.left += max(0, own.left)
     if is_empty or not all(map(real_zeros, values.values())):
         return []
-    if not effort.spend(WORK):
+    if not effort.spend(2 * TOLD):
         return None
-    told = implied_equations(ring, equations, given, inside, WORK // 12)
+    told = implied_equations(ring, equations, given, inside, TOLD)
     alone = [_in_one(ring, place, own) for place, own in values.items()]
     return [e for e in (*alone, *told) if _is_news(branch, e)] or None
 
