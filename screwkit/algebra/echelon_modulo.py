@@ -25,7 +25,7 @@ from screwkit.algebra.monomials import (
 DEAREST: Final = 30_000_000
 """Products of residues for what one divisor leaves, at most."""
 
-HANDLED: Final = 200
+HANDLED: Final = 800
 """Products of residues that take as long as to hand one over."""
 
 
@@ -86,7 +86,7 @@ class Echelon:
         height, width, known = len(polynomials), len(self.free), len(self.leads)
         if not height or not width:
             return []
-        entries = HANDLED * width * (height + known)
+        entries = HANDLED * (width * (height + known) + height * known)
         products = height * width * (known + min(height, width))
         if not self.effort.spend(entries + products):
             return None
@@ -128,8 +128,9 @@ class Echelon:
             left = self.degree - degree_of(divisor)
             factors = [monomial for monomial in self.free if sum(monomial) <= left]
             size = len(factors) * len(self.free)
-            size *= HANDLED + len(self.leads) + len(factors)
-            if not factors or size > DEAREST or not self.effort.spend(size):
+            size *= len(self.leads) + len(factors)
+            entries = HANDLED * len(factors) * (len(self.free) + len(self.leads))
+            if not factors or size > DEAREST or not self.effort.spend(size + entries):
                 continue
             products = [multiple(divisor, monomial) for monomial in factors]
             kernel, nullity = self._reduced(products).transpose().nullspace()

@@ -349,6 +349,10 @@ def _can_depend(chosen: Sequence[Stratum], walk: _Walk) -> bool:
 
 
 def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
+    deeper = _deeper(chosen, walk)
+    # Of limbs with lower ranks all of it is searched elsewhere.
+    if any(has_equations_of(branch, piece) for piece in deeper):
+        return
     if walk.sheets.has_like(branch, walk.limbs):
         return
     state = loop_state(branch, walk.limbs)
@@ -358,7 +362,7 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
     if walk.lost(state, walk.generic):
         walk.keep([branch])
         return
-    elsewhere = _deeper(chosen, walk) + walk.pieces
+    elsewhere = deeper + walk.pieces
     search = replace(
         walk.search,
         found=[],

@@ -13,15 +13,15 @@ from screwkit.analyses.singularities import constraint_singularities
 DIRECTIONS = ((1, 0, 0), (0, 1, 0), (-1, 0, 0))
 
 
-def legs(folder: Path) -> Path:
+def legs(folder: Path, height: str = "h", second: str = "beta") -> Path:
     """Three R-P-S legs whose first axes point to the middle, a leaning platform."""
     lines = ["screwkit: 1", "name: legs", "space: spatial", "geometry: posture"]
     lines += ["base: base", "platform: platform", "parameters:"]
     lines += [f"  {name}: {{value: {v}, positive: true}}" for name, v in SIZES.items()]
     lines += ["variables:", "  alpha: {value: 0.2, angle: true}"]
-    lines += ["  beta: {value: 0.3, angle: true}"]
-    lines += ["pose: {translation: [0, 0, h]"]
-    lines[-1] += ", rotation: {euler: xyz, angles: [alpha, beta, 0]}}"
+    lines += ["  beta: {value: 0.3, angle: true}", "  z: 3"]
+    lines += [f"pose: {{translation: [0, 0, {height}]"]
+    lines[-1] += f", rotation: {{euler: xyz, angles: [alpha, {second}, 0]}}}}"
     points, joints = ["points:"], ["joints:"]
     for n, (x, y, z) in enumerate(DIRECTIONS, 1):
         points += [f"  A{n}: [{x}*a, {y}*a, {z}]"]
@@ -75,3 +75,15 @@ def test_forces_of_legs_about_radial_axes_are_never_dependent(tmp_path: Path) ->
     )
     assert not found.components
     assert least > 1e-4
+
+
+def test_what_two_idle_limbs_share_is_searched_where_both_idle(tmp_path: Path) -> None:
+    """Where z = 0 the first and the third strut lie along their axes.
+
+    The forces of these legs at B1 and B3 are all those normal to the line B1 B3.  The
+    second one, normal to its strut B2 − A2 too, meets that line where the strut is
+    normal to O B2: b² = a·b·cos α.
+    """
+    assembly = sk.load(legs(tmp_path, "z", "0")).assembly
+    found = constraint_singularities(assembly).components
+    assert any({"z", "a*cos(alpha) - b"} == set(own.equations) for own in found)
