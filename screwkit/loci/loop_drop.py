@@ -353,7 +353,13 @@ def _can_depend(chosen: Sequence[Stratum], walk: _Walk) -> bool:
 
 
 def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
-    if walk.sheets.has_like(branch, walk.limbs):
+    deeper = [
+        Piece(equations, ())
+        for limb, own in zip(walk.strata, chosen, strict=True)
+        for equations in limb.below(own)
+    ]
+    below = [text for piece in deeper for text in sorted(piece.texts)]
+    if walk.sheets.has_like(branch, walk.limbs, below):
         return
     state = loop_state(branch, walk.limbs)
     if state is None:
@@ -362,11 +368,6 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
     if walk.lost(state, walk.generic):
         walk.keep([branch])
         return
-    deeper = [
-        Piece(equations, ())
-        for limb, own in zip(walk.strata, chosen, strict=True)
-        for equations in limb.below(own)
-    ]
     elsewhere = deeper + walk.pieces
     search = replace(
         walk.search,

@@ -31,6 +31,10 @@ def value(text: str, x: float, y: float, z: float) -> float:
     return number(text, {"x": x, "y": y, "z": z})
 
 
+def zeros_of_both(at: tuple[float, float]) -> list[float]:
+    return [value(text, at[0], at[1], 0) for text in (P, S)]
+
+
 def test_equations_of_a_component_leave_out_lines_beside_it() -> None:
     survey = SurveyRing()
     evaluate(parse("x + y + z"), survey)
