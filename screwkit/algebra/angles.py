@@ -193,3 +193,14 @@ def _points_backwards(form: dict[str, int]) -> bool:
 def _ordered(form: dict[str, int]) -> Form:
     """Positive angles first."""
     return tuple(sorted(form.items(), key=lambda part: (part[1] < 0, natural(part[0]))))
+
+
+def turning(ring: TrigonometricRing, short: Merged, but: int = -1) -> set[str]:
+    """Declared angles of which sines or cosines occur, but for one merged angle."""
+    degrees = short.polynomial.degrees()
+    return {
+        name
+        for i, form in enumerate(short.forms)
+        for name, _ in form
+        if i != but and (degrees[ring.sine_index(i)] or degrees[ring.cosine_index(i)])
+    }

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
 
+from screwkit.algebra.angles_as_numbers import are_no_angles
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.elimination import half_angle_steps, steps_of
 from screwkit.algebra.modular import rank
@@ -278,21 +279,20 @@ class Branch:
 
     @cached_property
     def is_empty(self) -> bool:
-        """Whether its conditions make a symbol 0 that is not 0."""
-        return self.vanishing_symbol is not None or any(
-            divmod(value, pending.value)[1] == 0
-            for value in self._replaced.values()
-            for pending in self.pending
+        """Whether a symbol is 0 that is not 0, or an angle not the number it is."""
+        left = [pending.value for pending in self.pending]
+        return (
+            self.vanishing_symbol is not None
+            or any(divmod(v, p)[1] == 0 for v in self._replaced.values() for p in left)
+            or are_no_angles(self.ring, self.assumptions, self.steps, left, self.column)
         )
 
     @cached_property
     def vanishing_symbol(self) -> str | None:
         """A symbol that its steps make 0 although it is not 0."""
         first = self.ring.symbol_indices().start
-        zero = (
-            self.ring.symbols[i - first] for i, v in self._replaced.items() if not v
-        )
-        return next(zero, None)
+        zero = (i - first for i, v in self._replaced.items() if not v)
+        return next((self.ring.symbols[i] for i in zero), None)
 
     @cached_property
     def _replaced(self) -> dict[int, Polynomial]:

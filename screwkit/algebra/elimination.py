@@ -128,10 +128,22 @@ def _symbol_steps(
             continue
         factor, rest = linear_parts(ring, condition, index)
         if assumptions.is_nonzero(ring, factor):
-            return [Substitution(((index, -rest),), factor)]
+            turned = _unturned(ring, index) if rest == 0 else ()
+            return [Substitution(((index, -rest), *turned), factor)]
         if _never_both(ring, assumptions, factor, rest):
             return [Substitution(((index, -rest),), factor)]
     return None
+
+
+def _unturned(
+    ring: TrigonometricRing, index: int
+) -> tuple[tuple[int, Polynomial], ...]:
+    """The sine and cosine of a symbol that is an angle too, where it is 0."""
+    symbol = ring.context.gens()[index]
+    for k, angle in ring.angles_as_numbers.items():
+        if angle == symbol:
+            return (ring.sine_index(k), ring.zero), (ring.cosine_index(k), ring.one)
+    return ()
 
 
 def _never_both(

@@ -12,16 +12,18 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from flint import arb, arb_mat, ctx, fmpz_poly
 
+from screwkit.algebra.angles_as_numbers import single_angles
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.float_elimination import pivots, shortest_step
 from screwkit.algebra.substitution import Substitution
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, as_fraction
 
 STARTS = 12
 """Random starts."""
@@ -71,12 +73,14 @@ def real_point(
         None where none was found; that proves nothing.
     """
     ring = branch.ring
-    if ring.constant_angles:
+    turns = single_angles(ring)
+    if ring.constant_angles or turns is None:
         return None
-    system = _System(branch, given, equations)
+    given = {**given, **_numbers(branch, turns.values())}
+    system = _System(branch, given, equations, turns)
     source = random.Random(seed)
     for _ in range(STARTS):
-        start = _start(ring, given, source)
+        start = _start(ring, given, source, turns)
         found = None if start is None else system.solved_from(start)
         if found is not None:
             values = system.proved(found)
@@ -93,14 +97,18 @@ class _System:
         branch: Branch,
         given: Mapping[str, Fraction],
         vanishing: Sequence[Polynomial],
+        turns: Mapping[int, int],
     ) -> None:
         ring = branch.ring
         self._ring = ring
         gens = ring.context.gens()
+        self._turns = turns  # of angles that are symbols too: both are held
         solved = _solved_angles(branch)
         said = {str(step.condition) for step in solved.values()}
         equations = [c for c in branch.conditions if str(c) not in said]
         for k in range(len(ring.basis)):
+            if k in turns:
+                continue
             if k in solved:
                 step = solved[k]
                 equations += [
@@ -122,8 +130,13 @@ class _System:
         for name, divisor in ring.divisors_of.items():
             equations.append(ring.generator(name) * divisor - 1)
         places = dict(zip(ring.symbols, ring.symbol_indices(), strict=True))
-        held = {places[name] for name in given if name in places}
+        held = {places[name] for name in given if name in places} | {*turns.values()}
+        held |= {i for k in turns for i in (ring.sine_index(k), ring.cosine_index(k))}
         self._unknown = [i for i in range(len(ring.names)) if i not in held]
+        if turns:  # What is left of an equation that speaks of them alone is a number.
+            equations = [
+                e for e in equations if any(e.degrees()[i] for i in self._unknown)
+            ]
         self._equations = [_monomials(e) for e in equations]
         self._derivatives = [
             {i: _monomials(e.derivative(i)) for i in self._unknown if e.degrees()[i]}
@@ -144,12 +157,12 @@ class _System:
         values = list(start)
         for _ in range(STEPS):
             residuals = [_value(e, values) for e in self._equations]
-            largest = max(map(abs, residuals))
+            largest = max(map(abs, residuals), default=0.0)
             if not math.isfinite(largest) or largest > 1e9:
                 return None
             if largest < _CLOSE:
                 return values
-            step = _shortest_step(self._jacobian(values), residuals)
+            step = shortest_step(self._jacobian(values), residuals)
             if step is None:
                 return None
             length = max(map(abs, step), default=0.0)
@@ -166,7 +179,7 @@ class _System:
 
     def proved(self, candidate: Sequence[float]) -> list[Any] | None:
         """Balls around a real zero; None where the step does not contract."""
-        chosen = _pivots(self._jacobian(candidate))
+        chosen = pivots(self._jacobian(candidate))
         if chosen is None:
             return None
         free = [self._unknown[c] for c in chosen]
@@ -192,6 +205,9 @@ class _System:
         self, candidate: Sequence[float], free: Sequence[int]
     ) -> list[Any] | None:
         middle = [arb(value) for value in candidate]
+        for k, place in self._turns.items():
+            middle[self._ring.sine_index(k)] = middle[place].sin()
+            middle[self._ring.cosine_index(k)] = middle[place].cos()
         for _ in range(4):
             for i, change in zip(free, self._step(middle, middle, free), strict=True):
                 middle[i] = (middle[i] - change).mid()
@@ -246,6 +262,18 @@ def _solved_angles(branch: Branch) -> dict[int, Substitution]:
     return found
 
 
+def _numbers(branch: Branch, places: Iterable[int]) -> dict[str, Fraction]:
+    """The symbols at these places that the steps of a branch make rational numbers."""
+    ring = branch.ring
+    found = {}
+    for place in places:
+        value, one = branch.column([ring.context.gens()[place], ring.one])
+        if value.is_constant() and one.is_constant():
+            name = ring.symbols[place - ring.symbol_indices().start]
+            found[name] = as_fraction(value) / as_fraction(one)
+    return found
+
+
 def _monomials(polynomial: Polynomial) -> _Monomials:
     return [
         (coefficient, [(i, int(e)) for i, e in enumerate(exponents) if e])
@@ -267,7 +295,10 @@ def _value(monomials: _Monomials, values: Sequence[Any]) -> Any:
 
 
 def _start(
-    ring: TrigonometricRing, given: Mapping[str, Fraction], source: random.Random
+    ring: TrigonometricRing,
+    given: Mapping[str, Fraction],
+    source: random.Random,
+    turns: Mapping[int, int],
 ) -> list[float] | None:
     """Random values of all generators that satisfy the ring's own relations."""
     values = [0.0] * len(ring.names)
@@ -278,6 +309,9 @@ def _start(
     for name, index in zip(ring.symbols, ring.symbol_indices(), strict=True):
         exact = given.get(name)
         values[index] = source.uniform(-1.5, 1.5) if exact is None else float(exact)
+    for k, place in turns.items():
+        values[ring.sine_index(k)] = math.sin(values[place])
+        values[ring.cosine_index(k)] = math.cos(values[place])
     for index, inside in ring.algebraic_relations:
         if isinstance(inside, tuple):
             values[index] = _largest_root(inside)
@@ -298,65 +332,6 @@ def _largest_root(coefficients: Sequence[int]) -> float:
     """√p and 2cos(π/n) are the largest of their conjugates."""
     roots = fmpz_poly(list(coefficients)).complex_roots()
     return max(float(root.real) for root, _ in roots if root.imag.contains(0))
-
-
-def _shortest_step(
-    jacobian: Sequence[Sequence[float]], residuals: Sequence[float]
-) -> list[float] | None:
-    """The least x with J x = r, by (J Jᵀ) y = r."""
-    square = [[math.fsum(map(_times, a, b)) for b in jacobian] for a in jacobian]
-    for i, row in enumerate(square):
-        row[i] += 1e-14
-    solved = _eliminated(square, residuals)
-    if solved is None:
-        return None
-    columns = zip(*jacobian, strict=True)
-    return [math.fsum(map(_times, column, solved)) for column in columns]
-
-
-def _times(a: float, b: float) -> float:
-    return a * b
-
-
-def _eliminated(
-    matrix: Sequence[Sequence[float]], right: Sequence[float]
-) -> list[float] | None:
-    rows = [[*row, r] for row, r in zip(matrix, right, strict=True)]
-    for k in range(len(rows)):
-        best = max(range(k, len(rows)), key=lambda i: abs(rows[i][k]))
-        rows[k], rows[best] = rows[best], rows[k]
-        if not rows[k][k]:
-            return None
-        for i in range(len(rows)):
-            if i != k and rows[i][k]:
-                factor = rows[i][k] / rows[k][k]
-                rows[i] = [
-                    a - factor * b for a, b in zip(rows[i], rows[k], strict=True)
-                ]
-    return [row[-1] / row[k] for k, row in enumerate(rows)]
-
-
-def _pivots(jacobian: Sequence[Sequence[float]]) -> list[int] | None:
-    """Columns that make the matrix square and well conditioned, by full pivoting."""
-    rows = [list(row) for row in jacobian]
-    chosen: list[int] = []
-    while rows:
-        size, r, c = max(_sized(rows))
-        if size < 1e-7:
-            return None
-        chosen.append(c)
-        pivot = rows.pop(r)
-        rows = [
-            [a - row[c] / pivot[c] * b for a, b in zip(row, pivot, strict=True)]
-            for row in rows
-        ]
-    return chosen
-
-
-def _sized(rows: Sequence[Sequence[float]]) -> Iterator[tuple[float, int, int]]:
-    for r, row in enumerate(rows):
-        for c, value in enumerate(row):
-            yield abs(value), r, c
 
 
 def _named(ring: TrigonometricRing, values: Sequence[Any]) -> RealPoint:

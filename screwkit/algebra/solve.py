@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from screwkit.algebra.angles import Merged, merged, natural
+from screwkit.algebra.angles import Merged, merged, natural, turning
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.closed_roots import closed_roots
 from screwkit.algebra.closed_values import may_be_cosine
@@ -127,14 +127,11 @@ def _angles(
 
 
 def _own_variables(ring: TrigonometricRing, short: Merged, angle: int) -> list[str]:
-    """At most two declared angles to solve for, that no other merged angle contains."""
+    """At most two declared angles to solve for, that occur nowhere else."""
     degrees = short.polynomial.degrees()
-    others = {
-        name
-        for i, form in enumerate(short.forms)
-        for name, _ in form
-        if i != angle and (degrees[ring.sine_index(i)] or degrees[ring.cosine_index(i)])
-    }
+    others = turning(ring, short, angle)
+    places = zip(ring.symbol_indices(), ring.symbols, strict=True)
+    others |= {name for place, name in places if degrees[place]}
     own = [
         name
         for name, count in short.forms[angle]
@@ -303,15 +300,14 @@ def _symbols(
     """Free lengths; of what is declared positive or nonzero only if nothing is free."""
     degrees = short.polynomial.degrees()
     declared = assumptions.positive | assumptions.nonzero
+    turned = turning(ring, short)
     present = [
         (place, name)
         for place, name in zip(ring.symbol_indices(), ring.symbols, strict=True)
-        if degrees[place]
+        if degrees[place] and name not in turned
     ]
-    moving = any(degrees[ring.cosine_index(i)] for i in range(len(ring.basis)))
-    moving = moving or any(degrees[ring.sine_index(i)] for i in range(len(ring.basis)))
     free = [pair for pair in present if pair[1] not in declared]
-    for place, name in free or ([] if moving else present):
+    for place, name in free or ([] if turned else present):
         slices = None
         if degrees[place] <= 2:
             slices = short_slices(ring, short.polynomial, (place,), LONGEST_TEXT)

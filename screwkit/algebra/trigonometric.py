@@ -275,6 +275,15 @@ class TrigonometricRing:
         """Text of the algebraic numbers by the name of their generator."""
         return self._constants.texts
 
+    @cached_property
+    def angles_as_numbers(self) -> Mapping[int, Polynomial]:
+        """The basis angles that are sums of symbols of this ring, as these sums."""
+        return {
+            k: sum((self._symbol[name] * n for name, n in form), self._zero)
+            for k, form in enumerate(self.basis)
+            if all(name in self._symbol for name, _ in form)
+        }
+
     def sine_index(self, angle: int) -> int:
         """Index of the generator of a basis angle's sine."""
         return len(self.extensions) + angle

@@ -79,6 +79,7 @@ def exact_zeros(
     equations: Sequence[Polynomial],
     given: Collection[Unknown],
     most: int,
+    tried: Sequence[tuple[int, int]] = _SLICES,
 ) -> tuple[tuple[Point, int], ...]:
     """Exact points at which equations hold, with their primes, as far as found.
 
@@ -89,6 +90,7 @@ def exact_zeros(
         equations: In normal form.
         given: Unknowns that any value may be given to, as dimensions.
         most: So many points are enough.
+        tried: Monomials that are eliminated together, at most, and slices tried so.
     """
     free = [*dict.fromkeys(u for e in equations for u in unknowns(ring, e))]
     free = [unknown for unknown in free if unknown not in given]
@@ -96,7 +98,7 @@ def exact_zeros(
     least = max(0, len(free) - len(equations))
     found: list[tuple[Point, int]] = []
     effort = Effort(_EFFORT)
-    for width, slices in _SLICES:
+    for width, slices in tried:
         number = least
         if found or effort.left < 0:
             break

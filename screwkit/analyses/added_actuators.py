@@ -30,8 +30,12 @@ class Place(NamedTuple):
     sheets: Sheets
 
     def freedom(self, locked: Sequence[str]) -> int:
-        """In general on it: on the sheet where it is largest."""
-        return max(min(at(locked) for at in sheet) for sheet in self.sheets)
+        """In general on it: on the sheet where it is largest.
+
+        Points of one sheet differ only if it has parts that no factor showed; then too
+        nothing is removed that stays on one of them.
+        """
+        return max(at(locked) for sheet in self.sheets for at in sheet)
 
 
 def everywhere(answer: ActuationSingularities, size: int, sheets: Sheets) -> Place:

@@ -54,7 +54,7 @@ class LociOfSchemes:
     counts: Counter[str] = field(default_factory=Counter)
     seen: dict[str, Factor] = field(default_factory=dict)
     left_out: set[str] = field(default_factory=set)
-    tables: dict[str, list[Ranks]] = field(default_factory=dict)
+    tables: dict[str, list[list[Ranks]]] = field(default_factory=dict)
     vanishing: dict[str, bool] = field(default_factory=dict)
     real: dict[str, list[list[Ranks]]] = field(default_factory=dict)
     factored: dict[str, Content] = field(default_factory=dict)
@@ -162,17 +162,17 @@ class LociOfSchemes:
         if not tables:
             return None
         rank = len(passive) - mobility
-        return any(table.loop_rank(passive) < rank for table in tables)
+        return any(table.loop_rank(passive) < rank for own in tables for table in own)
 
-    def _tables_on(self, f: Factor) -> list[Ranks]:
-        """Ranks at exact points on a factor."""
+    def _tables_on(self, f: Factor) -> list[list[Ranks]]:
+        """Ranks at exact points on a factor, sheet by sheet; none if one has none."""
         if f.key not in self.tables:
             branches = restricted(self.root, f.equations[0], f.equations[1:])
-            self.tables[f.key] = [
-                self.system.table_at(*point)
-                for branch in branches[:1]
-                for point in branch.points
+            tables = [
+                [self.system.table_at(*point) for point in branch.points]
+                for branch in branches
             ]
+            self.tables[f.key] = tables if all(tables) else []
         return self.tables[f.key]
 
     def text(self, f: Factor) -> str:
@@ -190,8 +190,8 @@ class LociOfSchemes:
         """
         if len(self._limbs_in(f)) > 1:
             return False
-        pieces = self._real_tables_on(f) or [self._tables_on(f)]
-        return all(
+        pieces = self._real_tables_on(f) or self._tables_on(f)
+        return bool(pieces) and all(
             any(table.state(passive).platform_freedom == 0 for table in tables)
             for tables in pieces
         )

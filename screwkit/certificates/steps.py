@@ -41,6 +41,8 @@ def written_step(branch: Branch, number: int) -> Step:
             over=text(ring, step.divisor),
             never=_never(branch, step, image),
         )
+    if any(index in ring.symbol_indices() for index, _ in step.images):
+        raise NotProvedError("an angle is 0 that occurs as a number too")
     return _turned("pair" if step.companions else "angle", ring, step)
 
 

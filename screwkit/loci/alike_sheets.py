@@ -9,7 +9,7 @@ References: [CoxLittleOShea] §4.6 (decomposition into irreducibles).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 
 from screwkit.algebra.branches import Branch
@@ -29,19 +29,24 @@ class AlikeSheets:
     signatures: dict[str, Branch] = field(default_factory=dict)
     alike: list[tuple[Branch, Branch]] = field(default_factory=list)
 
-    def has_like(self, branch: Branch, limbs: Sequence[Parts]) -> bool:
+    def has_like(
+        self, branch: Branch, limbs: Sequence[Parts], elsewhere: Collection[str]
+    ) -> bool:
         """Whether a branch is like one that was asked about before.
 
         Args:
             branch: A sheet of some conditions.
             limbs: Parts of each limb.
+            elsewhere: Equations of the sets on it that are left to other searches: the
+                same branch with fewer of them has not been searched.
         """
         conditions = sorted(str(condition) for condition in branch.conditions)
         columns = [
             [str(_up_to_sign(branch.column(column))) for column in columns_of(limb)]
             for limb in limbs
         ]
-        signature = f"{conditions}{columns}{[str(p.value) for p in branch.pending]}"
+        pending = [str(p.value) for p in branch.pending]
+        signature = f"{conditions}{columns}{pending}{sorted(elsewhere)}"
         other = self.signatures.setdefault(signature, branch)
         if other is branch:
             return False

@@ -30,6 +30,7 @@ from screwkit.algebra.modular import independent
 from screwkit.algebra.points import Point, rank_at, residue
 from screwkit.algebra.search import Search, imposed
 from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.algebra.zeros_modulo import exact_zeros
 from screwkit.errors import TooLargeError
 from screwkit.loci.pieces import Piece
 from screwkit.loci.shorter_equations import vanishing_on, with_shorter_equations
@@ -39,6 +40,9 @@ _ROUNDS = 3  # of exclusion: an equation may leave less, but not nothing
 _ADDED = 3  # equations in one round
 _SETS = 20  # in which parts are looked for: parts beside parts
 _TRIED = 6  # choices of rows and columns, of which the shortest minor is taken
+_LOOKED_AT = 300  # terms of equations of which points are drawn
+_MET = 12  # points of one piece
+_SLICES = ((100, 8),)  # monomials that are eliminated together; slices
 _PRODUCTS = 20_000  # of terms, in the expansion of a minor by one more column
 
 
@@ -131,20 +135,22 @@ def _exact(piece: Piece, singular: Singularity) -> tuple[Piece, bool]:
         if piece.is_exact:
             return piece, True
         parts, is_whole = _regular_parts(piece, singular)
-        if not parts and (is_whole or _is_settled_along(piece, singular)):
+        points = [at for part in parts for at in part.points]
+        points = points or _regular_points(piece, singular)
+        if not points and (is_whole or _is_settled_along(piece, singular)):
             return piece, True
         shorter = with_shorter_equations(piece, singular.root, singular.library)
         if shorter != piece:
             piece = shorter
             continue
-        if not parts:
+        if not points:
             return piece, False
-        extra = _excluding(parts, piece, singular)
+        extra = _excluding(points, piece, singular)
         if not extra:
             return piece, False
         piece = replace(piece, equations=(*piece.equations, *extra))
     parts, is_whole = _regular_parts(piece, singular)
-    return piece, is_whole and not parts
+    return piece, is_whole and not parts and not _regular_points(piece, singular)
 
 
 def _regular_parts(piece: Piece, singular: Singularity) -> tuple[list[Branch], bool]:
@@ -166,6 +172,23 @@ def _regular_parts(piece: Piece, singular: Singularity) -> tuple[list[Branch], b
             if part.points and not singular.holds_on(part):
                 found.append(part)
     return found, is_whole and not waiting
+
+
+def _regular_points(piece: Piece, singular: Singularity) -> list[tuple[Point, int]]:
+    """Exact points at which the equations hold and nothing is singular, as met.
+
+    Conditions left when a symbol was solved for may have common zeros on which a third
+    one vanishes, as large as the piece: no search by factors shows these.
+    """
+    if sum(map(len, piece.equations)) > _LOOKED_AT:
+        return []
+    ring = singular.root.ring
+    found = exact_zeros(ring, piece.equations, (), _MET, _SLICES)
+    return [
+        (point, prime)
+        for point, prime in found
+        if rank_at(singular.columns, point, prime) >= singular.rank
+    ]
 
 
 def _is_settled_along(piece: Piece, singular: Singularity) -> bool:
@@ -194,24 +217,23 @@ def _search(singular: Singularity, count: int) -> Search:
 
 
 def _excluding(
-    parts: Sequence[Branch], piece: Piece, singular: Singularity
+    points: Sequence[tuple[Point, int]], piece: Piece, singular: Singularity
 ) -> list[Polynomial]:
-    """Equations that hold on the piece and fail on each of these parts."""
+    """Equations that hold on the piece and fail at each of these points."""
     extra: list[Polynomial] = []
     told: list[Polynomial] | None = None
-    for part in parts:
-        for point, prime in part.points:
-            if rank_at(singular.columns, point, prime) < singular.rank:
-                continue
-            if len(extra) == _ADDED or any(residue(e, point, prime) for e in extra):
-                continue
-            minor = _minor_at(singular, point, prime)
-            if minor is not None:
-                extra.append(_on_piece(minor, piece, singular))
-                continue
-            if told is None:
-                told = _told_beside(piece, singular)
-            extra += [p for p in told if residue(p, point, prime)][:1]
+    for point, prime in points:
+        if rank_at(singular.columns, point, prime) < singular.rank:
+            continue
+        if len(extra) == _ADDED or any(residue(e, point, prime) for e in extra):
+            continue
+        minor = _minor_at(singular, point, prime)
+        if minor is not None:
+            extra.append(_on_piece(minor, piece, singular))
+            continue
+        if told is None:
+            told = _told_beside(piece, singular)
+        extra += [p for p in told if residue(p, point, prime)][:1]
     return extra
 
 

@@ -353,7 +353,8 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
     # Of limbs with lower ranks all of it is searched elsewhere.
     if any(has_equations_of(branch, piece) for piece in deeper):
         return
-    if walk.sheets.has_like(branch, walk.limbs):
+    below = [text for piece in deeper for text in sorted(piece.texts)]
+    if walk.sheets.has_like(branch, walk.limbs, below):
         return
     state = loop_state(branch, walk.limbs)
     if state is None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
@@ -15,6 +16,7 @@ from loci.numeric import Array, freedoms, loop_matrix, value
 import screwkit as sk
 from screwkit.algebra.expression import Number
 from screwkit.analyses.schemes import schemes
+from screwkit.case import load_text
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.values import with_values
 from screwkit.results.schemes import Scheme, Schemes
@@ -274,3 +276,56 @@ def test_what_is_admissible_is_known_before_any_locus() -> None:
     ]
     assert not known.complete
     assert all(s.undecided == s.admissible for s in known.schemes)
+
+
+def test_a_factor_with_two_sheets_is_idle_where_the_platform_is_still_on_both() -> None:
+    """Three limbs of axes through one point; sin φ = 0 is φ = 0 and φ = π.
+
+    At φ = π limb A turns the platform about lines of z = 0, B and C about lines of the
+    plane of z and (1, 2, 0), C with one joint locked about (1, 2, 1) alone.  At φ = 0
+    both axes of C are one line, which does not lie in z = 0.
+    """
+    chains = {
+        "A": ([1, 1, 0], "u + x", "x"),
+        "B": ([0, 0, 1], [1, 2, -1], "w"),
+        "C": ([1, 2, -1], "w"),
+    }
+    joints, links = [], ["base", "top"]
+    for limb, axes in chains.items():
+        ways = ["base", *(f"{limb}{k}" for k in range(1, len(axes))), "top"]
+        links += ways[1:-1]
+        joints += [
+            {
+                "name": f"R{limb}{k + 1}",
+                "type": "revolute",
+                "parent": ways[k],
+                "child": ways[k + 1],
+                "point": ["0", "0", "0"],
+                "axis": axis if isinstance(axis, str) else [str(c) for c in axis],
+            }
+            for k, axis in enumerate(axes)
+        ]
+    found = sk.schemes(
+        load_text(
+            json.dumps(
+                {
+                    "screwkit": 1,
+                    "name": "three_limbs",
+                    "geometry": "posture",
+                    "base": "base",
+                    "platform": "top",
+                    "links": links,
+                    "variables": {"phi": {"value": "1.1", "angle": True}},
+                    "vectors": {
+                        "u": ["1", "1", "0"],
+                        "x": {"link": "top", "at": ["1", "0", "0"]},
+                        "w": {"link": "top", "at": ["1", "2", "-1"]},
+                    },
+                    "pose": {"rotation": {"axis": "z", "angle": "phi"}},
+                    "joints": joints,
+                }
+            )
+        )
+    )
+    still = {s.actuated: "sin(phi)" in s.idle for s in found.schemes if s.admissible}
+    assert still == {("RB2",): False, ("RB3",): False, ("RC1",): True, ("RC2",): True}
