@@ -8,6 +8,7 @@ from itertools import combinations
 import pytest
 
 import screwkit as sk
+from screwkit.analyses.added_actuators import FreedomAt, Place
 from screwkit.delivery import only_balanced
 from screwkit.reports.article import article
 from screwkit.reports.records import from_json, to_json
@@ -128,3 +129,15 @@ def test_the_report_has_it(name: str) -> None:
     assert "Added actuators" in text
     assert "Where the platform moves with A E locked" in text
     assert "Added actuators" not in repr(article(sk.analyze(sk.load(name))))
+
+
+def test_what_moves_at_one_point_of_a_sheet_is_not_removed() -> None:
+    """A sheet may have parts that no factor showed: a joint may hold one of them."""
+    component = added("3upu_tsai").components[0]
+
+    def held_by(joint: str) -> FreedomAt:
+        return lambda locked: 0 if joint in locked else 1
+
+    place = Place(component, [[held_by("A"), held_by("B")], [held_by("A")]])
+    assert place.freedom(["A"]) == 1
+    assert place.freedom(["A", "B"]) == 0
