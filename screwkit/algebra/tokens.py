@@ -36,6 +36,7 @@ _INSTEAD: Final = {
     "√": "sqrt(…)",
     "²": "^2",
     "³": "^3",
+    "°": "angles in radians, pi/6 for 30 degrees",
     "{": "(",
     "}": ")",
 }

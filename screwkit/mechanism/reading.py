@@ -30,6 +30,7 @@ _MOST_ASKED: Final = 50
 """How many names are looked for among all others: each takes a while."""
 _UNITS: Final = {"x": "[1, 0, 0]", "y": "[0, 1, 0]", "z": "[0, 0, 1]"}
 _NO_NUMBERS: Final = ("inf", "infinity", "nan")
+_DEGREES: Final = ("deg", "degree", "degrees")
 _FOR_NUMBERS: Final = "`parameters` or `variables`"
 _FOR_VECTORS: Final = f"{_FOR_NUMBERS}, or as one of the `points` or `vectors`"
 _NUMBER: Final = re.compile(
@@ -233,6 +234,8 @@ class Reading:
                     near = f"; write {_UNITS[name]}"
                 elif name.lower() in _NO_NUMBERS:
                     near = "; every number is finite"
+                elif name.lower() in _DEGREES:
+                    near = "; angles are in radians: 30 degrees are pi/6"
                 elif not near:
                     sections = _FOR_VECTORS if vector else _FOR_NUMBERS
                     near = f"; it can be declared under {sections}"

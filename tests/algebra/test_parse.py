@@ -107,6 +107,7 @@ def test_keywords_and_letters_of_other_systems_are_plain_names(name: str) -> Non
         ("1e41", 0, "more than 40 digits"),
         ("1e" + "9" * 500, 0, "more than 40 digits"),
         ("r3 − 1", 3, "the character '−' is not in the grammar; write -"),
+        ("sin(30°)", 6, "not in the grammar; write angles in radians"),
         ("π", 0, "write pi"),
         ("dot(r3, r3)", 0, "dot takes two vectors"),
     ],

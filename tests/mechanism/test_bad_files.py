@@ -105,6 +105,11 @@ def test_the_four_bar_itself_is_right() -> None:
         ("[1, 2, 0]", "[1, '§zz', 0]", "under `parameters` or `variables`$"),
         ("[1, 2, 0]", "[1, §inf, 0]", "unknown name 'inf'; every number is finite$"),
         ("[1, 2, 0]", "[§NaN, 2, 0]", "unknown name 'NaN'; every number is finite$"),
+        (
+            "[1, 2, 0]",
+            "[1, 30*§deg, 0]",
+            "unknown name 'deg'; angles are in radians: 30 degrees are pi/6$",
+        ),
         ("[1, 2, 0]", "[1, 2 + §sni(1), 0]", r"function 'sni' \(did you mean 'sin'"),
         ("[1, 2, 0]", "§P", r"unknown name 'P'.* one of the `points` or `vectors`$"),
         ("screwkit: 1", "screwkit: §7", "format version '7' is not known"),
