@@ -325,8 +325,11 @@ def _placed(
         return None
     if path[0] == "points" and refuse_height(inner, value, reading):
         return None
-    if entry.link != draft.entry.platform or pose is None:
+    if entry.link != draft.entry.platform:
         return value
+    if pose is None:
+        is_given = draft.entry.pose is not None or "pose" in draft.broken
+        return None if is_given else value  # one that cannot be read moves it somewhere
     turned = _turned(pose.rotation, value)
     if path[0] == "vectors":
         return turned
