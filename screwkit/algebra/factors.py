@@ -18,6 +18,7 @@ from screwkit.algebra.factor_library import Factor, FactorLibrary
 from screwkit.algebra.half_angle import Form, HalfAngles
 from screwkit.algebra.remembered import LONGEST
 from screwkit.algebra.restrictions import Layout
+from screwkit.algebra.short_fractions import short_fraction
 from screwkit.algebra.trigonometric import (
     Polynomial,
     TrigonometricRing,
@@ -117,24 +118,12 @@ def _by_values(
         for_first, for_second = library.factor_residues(part)
         first = first * pow(for_first, -multiplicity, library.prime) % library.prime
         second = second * pow(for_second, -multiplicity, library.prime) % library.prime
-    ratio = _reconstructed(first, library.prime)
-    if first != second or ratio is None:
+    largest = isqrt(library.prime) >> 8  # longer ones come out by chance too often
+    ratio = short_fraction(first, library.prime, largest)
+    if first != second or not ratio:
         return _by_expansion(library.ring, polynomial, found)
     unit, factors = _without_numbers(library.ring, found)
     return Factored(ratio, _sorted(factors), unit)
-
-
-def _reconstructed(residue: int, prime: int) -> Fraction | None:
-    """The fraction with small numerator and denominator that has this residue."""
-    bound = isqrt(prime) >> 8
-    above, below = (prime, residue), (0, 1)
-    while above[1] > bound:
-        quotient = above[0] // above[1]
-        above = above[1], above[0] - quotient * above[1]
-        below = below[1], below[0] - quotient * below[1]
-    if not above[1] or abs(below[1]) > bound:
-        return None
-    return Fraction(above[1], below[1])
 
 
 def _by_expansion(

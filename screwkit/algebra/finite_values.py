@@ -21,6 +21,7 @@ from screwkit.algebra.finite_algebra import LARGEST, FiniteAlgebra
 from screwkit.algebra.macaulay import multiples
 from screwkit.algebra.points_on import Unknown
 from screwkit.algebra.residue_systems import residue_systems
+from screwkit.algebra.short_fractions import short_fraction
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 PRIMES: Final = 8
@@ -111,17 +112,9 @@ def _together(
 def _rational(residues: Sequence[int], modulus: int) -> list[Fraction] | None:
     """The shortest fractions with these residues; None where one is long."""
     largest = isqrt(modulus // 2)
-    found = []
-    for residue in residues:
-        one, other, first, second = modulus, residue, 0, 1
-        while other > largest:
-            quotient = one // other
-            one, other = other, one - quotient * other
-            first, second = second, first - quotient * second
-        if not second or abs(second) > largest:
-            return None
-        found.append(Fraction(other, second))
-    return found
+    found = [short_fraction(residue, modulus, largest) for residue in residues]
+    told = [value for value in found if value is not None]
+    return told if len(told) == len(found) else None
 
 
 def _holds(numbers: Sequence[Fraction], residues: Sequence[int], prime: int) -> bool:

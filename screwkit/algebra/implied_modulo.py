@@ -23,6 +23,7 @@ from screwkit.algebra.macaulay import echelon_of
 from screwkit.algebra.monomials import Terms, degree_of
 from screwkit.algebra.points_on import Unknown
 from screwkit.algebra.residue_systems import ResidueSystem, residue_systems
+from screwkit.algebra.short_fractions import short_fraction
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
 MOST: Final = 12
@@ -99,12 +100,8 @@ def _rational(row: Terms, prime: int) -> dict[tuple[int, ...], Fraction] | None:
     """With the shortest fractions of these residues; None where one is long."""
     found = {}
     for monomial, residue in row.items():
-        one, other, first, second = prime, residue, 0, 1
-        while other > _LARGEST:
-            quotient = one // other
-            one, other = other, one - quotient * other
-            first, second = second, first - quotient * second
-        if abs(second) > _LARGEST:
+        value = short_fraction(residue, prime, _LARGEST)
+        if value is None:
             return None
-        found[monomial] = Fraction(other, second)
+        found[monomial] = value
     return found

@@ -22,6 +22,7 @@ from flint import Ordering, fmpq, nmod_mpoly_ctx, nmod_poly
 from flint.utils.flint_exceptions import DomainError
 
 from screwkit.algebra.modular import prime_for
+from screwkit.algebra.short_fractions import short_fraction
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 
 TERMS = 40
@@ -275,7 +276,8 @@ class _Field:
                 below = self.size * prod(
                     v for v, t in zip(self._values, taken, strict=True) if t
                 )
-                value = _reconstructed(total * pow(below, -1, p) % p, p)
+                residue = total * pow(below, -1, p) % p
+                value = short_fraction(residue, p, isqrt(p // 2))
                 if value is None:
                     return None
                 if value:
@@ -284,16 +286,3 @@ class _Field:
                         exponents[root.place] = t
                     terms[tuple(exponents)] = fmpq(value.numerator, value.denominator)
         return terms
-
-
-def _reconstructed(residue: int, prime: int) -> Fraction | None:
-    """The fraction with small numerator and denominator that has this residue."""
-    bound = isqrt(prime // 2)
-    above, below = (prime, residue), (0, 1)
-    while above[1] > bound:
-        quotient = above[0] // above[1]
-        above = above[1], above[0] - quotient * above[1]
-        below = below[1], below[0] - quotient * below[1]
-    if abs(below[1]) > bound or not below[1]:
-        return None
-    return Fraction(above[1], below[1])

@@ -22,6 +22,7 @@ from flint import fmpz_mat, nmod_poly
 from screwkit.algebra.algebraic_numbers import AlgebraicNumber, Irrationality
 from screwkit.algebra.constants import ConstantField
 from screwkit.algebra.modular import ModularRing, ResampleError
+from screwkit.algebra.short_fractions import short_fraction
 from screwkit.algebra.short_numbers import TRIED, VanishingCombinations
 
 LARGEST = 12  # degrees beyond which two primes tell no number from chance
@@ -179,15 +180,10 @@ class Reconstruction:
         return tuple(sorted(found, key=lambda root: float(root[2])))
 
     def _rational(self, residue: int) -> AlgebraicNumber | None:
-        """The same among rationals, by Euclid's algorithm [WangGuyDavenport1982]."""
-        above, rest, last, below = self._modulus, residue, 0, 1
-        while rest > self._height:
-            times = above // rest
-            above, rest = rest, above - times * rest
-            last, below = below, last - times * below
-        if abs(below) > self._height:
+        """The same among rationals."""
+        value = short_fraction(residue, self._modulus, self._height)
+        if value is None:
             return None
-        value = Fraction(rest, below)
         return AlgebraicNumber(((self._units[0][0], value),) if value else ())
 
     @cached_property
