@@ -128,7 +128,7 @@ def _symbol_steps(
             continue
         factor, rest = linear_parts(ring, condition, index)
         if assumptions.is_nonzero(ring, factor):
-            turned = _unturned(ring, index) if rest == 0 else ()
+            turned = _unturned(ring, index, factor) if rest == 0 else ()
             return [Substitution(((index, -rest), *turned), factor)]
         if _never_both(ring, assumptions, factor, rest):
             return [Substitution(((index, -rest),), factor)]
@@ -136,13 +136,13 @@ def _symbol_steps(
 
 
 def _unturned(
-    ring: TrigonometricRing, index: int
+    ring: TrigonometricRing, index: int, divisor: Polynomial
 ) -> tuple[tuple[int, Polynomial], ...]:
-    """The sine and cosine of a symbol that is an angle too, where it is 0."""
+    """The sine and cosine, over a divisor, of a symbol that is an angle too, at 0."""
     symbol = ring.context.gens()[index]
     for k, angle in ring.angles_as_numbers.items():
         if angle == symbol:
-            return (ring.sine_index(k), ring.zero), (ring.cosine_index(k), ring.one)
+            return (ring.sine_index(k), ring.zero), (ring.cosine_index(k), divisor)
     return ()
 
 

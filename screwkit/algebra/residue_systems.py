@@ -10,7 +10,7 @@ References: [CoxLittleOShea] §3.1.
 from __future__ import annotations
 
 import random
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Final, TypeAlias
 
@@ -177,24 +177,44 @@ def _read(
 
 def _taken_apart(system: ResidueSystem) -> Iterator[ResidueSystem]:
     """Angles put in that are fixed, then what is linear."""
+    for own in parted_by(_with_a_fixed_angle, system, SHEETS):
+        solved = _linear_solved(own)
+        if not is_contradictory(solved):
+            yield solved
+
+
+def _with_a_fixed_angle(system: ResidueSystem) -> list[ResidueSystem] | None:
+    values = _fixed(system)
+    if values is None:
+        return None
+    pair, images = values
+    return [_with(system, [*zip(pair, image, strict=True)]) for image in images]
+
+
+def parted_by(
+    parts: Callable[[ResidueSystem], list[ResidueSystem] | None],
+    system: ResidueSystem,
+    most: int,
+) -> list[ResidueSystem]:
+    """What a system is taken apart into, again and again; contradictory ones are gone.
+
+    Args:
+        parts: Systems that have together the zeros of one; None where it stays.
+        system: The first one.
+        most: From so many systems on all others stay as they are.
+    """
     done: list[ResidueSystem] = []
     waiting = [system]
     while waiting:
         own = waiting.pop()
         if is_contradictory(own):
             continue
-        values = None
-        if len(waiting) + len(done) < SHEETS:
-            values = _fixed(own)
-        if values is None:
+        found = parts(own) if len(waiting) + len(done) < most else None
+        if found is None:
             done.append(own)
-            continue
-        pair, images = values
-        waiting += [_with(own, [*zip(pair, image, strict=True)]) for image in images]
-    for own in done:
-        solved = _linear_solved(own)
-        if not is_contradictory(solved):
-            yield solved
+        else:
+            waiting += found
+    return done
 
 
 def is_contradictory(system: ResidueSystem) -> bool:

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, Final, TypeAlias
 
-from screwkit.algebra.residue_systems import ResidueSystem, is_contradictory
+from screwkit.algebra.residue_systems import ResidueSystem, parted_by
 
 _Residues: TypeAlias = Any  # flint.nmod_mpoly, which has no type stubs
 
@@ -25,20 +25,7 @@ SYSTEMS: Final = 8
 
 def solved_parts(system: ResidueSystem) -> list[ResidueSystem]:
     """Systems with fewer variables whose zeros are those of one, as far as found."""
-    done: list[ResidueSystem] = []
-    waiting = [system]
-    while waiting:
-        own = waiting.pop()
-        if is_contradictory(own):
-            continue
-        parts = None
-        if len(waiting) + len(done) < SYSTEMS:
-            parts = _parted(own)
-        if parts is None:
-            done.append(own)
-        else:
-            waiting += parts
-    return done
+    return parted_by(_parted, system, SYSTEMS)
 
 
 def _parted(system: ResidueSystem) -> list[ResidueSystem] | None:
