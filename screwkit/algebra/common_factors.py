@@ -6,10 +6,11 @@ irreducible factors of the shortest entry are tried on all of them.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import reduce
 from typing import Final
 
+from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.division import Divisor
 from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.factors import factor
@@ -40,6 +41,17 @@ def without_common_factors(
     """
     owner = ring if library is None else library
     return _KNOWN.answer(owner, column, None, lambda: _without(ring, column, library))
+
+
+def may_vanish_together(
+    ring: TrigonometricRing, values: Iterable[Polynomial], assumptions: Assumptions
+) -> bool:
+    """Whether polynomials that are not zero have a factor in common that may vanish.
+
+    A condition whose coefficients they are then holds whatever its variable is.
+    """
+    common = reduce(lambda a, b: a.gcd(b), values)
+    return not common.is_constant() and not assumptions.is_nonzero(ring, common)
 
 
 def _without(

@@ -16,6 +16,7 @@ from screwkit.algebra.angles import Merged, merged, natural, turning
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.closed_roots import closed_roots
 from screwkit.algebra.closed_values import may_be_cosine
+from screwkit.algebra.common_factors import may_vanish_together
 from screwkit.algebra.constant_multiples import inverse, is_number
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.half_angle import Form, HalfAngles
@@ -111,6 +112,8 @@ def _angles(
             continue
         slices = short_slices(ring, short.polynomial, places, LONGEST_TEXT)
         if slices is None:
+            continue
+        if may_vanish_together(ring, slices.values(), assumptions):
             continue
         for variable in variables:
             form, turned = short.forms[i], slices
@@ -311,7 +314,7 @@ def _symbols(
         slices = None
         if degrees[place] <= 2:
             slices = short_slices(ring, short.polynomial, (place,), LONGEST_TEXT)
-        if slices is None:
+        if slices is None or may_vanish_together(ring, slices.values(), assumptions):
             continue
         if max(slices) == (1,):
             ratio = Quotient.of(ring, short, -_at(ring, slices, 0), slices[1,])

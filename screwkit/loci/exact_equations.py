@@ -33,6 +33,7 @@ from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.algebra.zeros_modulo import exact_zeros
 from screwkit.errors import TooLargeError
 from screwkit.loci.pieces import Piece
+from screwkit.loci.reduced_equations import reduced
 from screwkit.loci.shorter_equations import vanishing_on, with_shorter_equations
 
 _BUDGET = 320  # case distinctions for the zeros of one piece's equations
@@ -148,9 +149,26 @@ def _exact(piece: Piece, singular: Singularity) -> tuple[Piece, bool]:
         extra = _excluding(points, piece, singular)
         if not extra:
             return piece, False
-        piece = replace(piece, equations=(*piece.equations, *extra))
+        whole = replace(piece, equations=(*piece.equations, *extra))
+        piece = without_products(whole, singular)
     parts, is_whole = _regular_parts(piece, singular)
     return piece, is_whole and not parts and not _regular_points(piece, singular)
+
+
+def without_products(piece: Piece, singular: Singularity) -> Piece:
+    """The piece with equations reduced by each other, and of products what it needs.
+
+    A minor may be a product where the other equations hold, which only shows then.
+    """
+    root, library = singular.root, singular.library
+    if not all(branch.points for branch in piece.branches):
+        return piece
+    shorter = reduced(piece, root, library)
+    equations = tuple(
+        min(vanishing_on(piece, own, root, library), key=len, default=own)
+        for own in shorter.equations
+    )
+    return replace(piece, equations=equations)
 
 
 def _regular_parts(piece: Piece, singular: Singularity) -> tuple[list[Branch], bool]:

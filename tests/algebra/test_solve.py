@@ -245,3 +245,21 @@ def test_the_function_of_another_angle_is_solved_without_its_inverse(
             round(math.sin(number(parse(value), point)), 9) for value in one.values
         } | {round(math.cos(number(parse(v), point)), 9) for v in one.values}
         assert len(sines) > 2  # two angles, not one twice
+
+
+def test_of_a_product_no_factor_is_taken_for_the_whole() -> None:
+    """x·sin q₁ = 0 does not say q₁ = 0, nor x·(y − 1) = 0 that y = 1 but for x > 0."""
+    positive = Assumptions(frozenset({"x"}))
+    for text, variable, values in (
+        ("x*sin(q1)", "q1", ("0", "pi")),
+        ("x*(y - 1)", "y", ("1",)),
+    ):
+        expression = parse(text)
+        survey = SurveyRing()
+        evaluate(expression, survey)
+        ring = TrigonometricRing(survey)
+        whole = ring.normal(evaluate(expression, ring))
+        factor_of_all = Factor(text, (whole,))
+        assert not solutions(ring, factor_of_all, POSITIVE)
+        (found,) = solutions(ring, factor_of_all, positive)
+        assert (found.variable, found.values) == (variable, values)
