@@ -305,6 +305,7 @@ def _parts(
                 numbers(found.real),
                 numbers(found.sampled_components),
                 found.sampled_conditions,
+                numbers(found.wider_components),
             )
         )
     return tuple(parts)

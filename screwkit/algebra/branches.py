@@ -221,7 +221,7 @@ class Branch:
 
         Where conditions are pending the polynomials do not show it: exact points do.
         """
-        if not self.pending:
+        if not self.pending or all(value == 0 for value in values):
             return all(value == 0 for value in values)
         return bool(self.points) and not any(
             residue(value, *at) for at in self.points for value in values

@@ -23,19 +23,19 @@ from screwkit.certificates.checking import checked
 from screwkit.certificates.conditions import Problem
 from screwkit.certificates.covered_components import with_covers
 from screwkit.certificates.derivation import proof_of
+from screwkit.certificates.floors import floors_of, without_idle_floors
 from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.real_postures import RealPostures, sides_of
 from screwkit.certificates.records import (
     Certificate,
     Locus,
     Part,
-    Reach,
     Source,
 )
-from screwkit.certificates.roots import NotProvedError, roots_of
+from screwkit.certificates.roots import NotProvedError
 from screwkit.certificates.sheet_trials import SheetTrials
 from screwkit.certificates.signs import Signs
-from screwkit.certificates.steps import written_step
+from screwkit.certificates.steps import reach_of
 from screwkit.certificates.subjects import Subject, of_graph, of_limb, of_loops
 from screwkit.certificates.texts import RefusedError, read
 from screwkit.certificates.written import SCHEMA
@@ -74,7 +74,7 @@ def certified(
     for limb, own in zip(assembly.limbs, answer.limb, strict=True):
         progress("certificate", f"limb {limb.name}")
         derivation = PartDerivation(of_limb(assembly, limb))
-        parts.append(derivation.limb(own))
+        parts.append(derivation.with_floors(derivation.limb(own)))
     limbs = tuple(parts)
     if len(assembly.limbs) > 1:
         progress("certificate", "constraint")
@@ -85,7 +85,8 @@ def certified(
         progress("certificate", "actuation")
         derivation = PartDerivation(of_loops(assembly, actuation.actuated, limbs))
         parts.append(derivation.actuation(actuation))
-    return Certificate(SCHEMA, answer.case, version, mechanism, tuple(parts))
+    found = Certificate(SCHEMA, answer.case, version, mechanism, tuple(parts))
+    return without_idle_floors(found)
 
 
 def certified_graph(
@@ -150,6 +151,11 @@ class PartDerivation:
     def limb(self, own: LimbSingularities) -> Part:
         """The part about a limb."""
         return self._part("limb", own.components, complete=own.complete, limb=own.limb)
+
+    def with_floors(self, part: Part) -> Part:
+        """The part about a limb with what its rank is where it is lower."""
+        problem = self._problem((), part.question)
+        return replace(part, floors=floors_of(problem, part.rank))
 
     def constraint(self, own: ConstraintSingularities) -> Part:
         """The part about the constraints of the loops."""
@@ -319,7 +325,7 @@ class PartDerivation:
             component.equations,
             max(self._matrix.rank_at(*at) for at in points),
             freedom,
-            tuple(_reach(branch) for branch in branches),
+            tuple(reach_of(branch) for branch in branches),
         )
         return sides_of(self._real, locus, random.Random(11))
 
@@ -385,12 +391,3 @@ class PartDerivation:
             if not scale.is_constant():
                 found[label] = text(ring, scale)
         return found
-
-
-def _reach(branch: Branch) -> Reach:
-    """How points of a branch are found."""
-    steps = tuple(written_step(branch, n) for n in range(len(branch.steps)))
-    ring = branch.ring
-    return Reach(
-        steps, roots_of(ring, [p.value for p in branch.pending], branch.nonzero)
-    )

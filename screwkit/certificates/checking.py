@@ -20,11 +20,12 @@ from screwkit.algebra.modular import ResampleError
 from screwkit.certificates.claimed_loci import ClaimedLoci
 from screwkit.certificates.closed_postures import ClosedPostures
 from screwkit.certificates.coefficients import Coefficients
+from screwkit.certificates.empty_nodes import EmptyNodes
 from screwkit.certificates.findings import Findings, name_of
 from screwkit.certificates.general_claims import GeneralClaims
 from screwkit.certificates.graph_matrix import GraphMatrix
 from screwkit.certificates.limb_claims import LimbClaims
-from screwkit.certificates.multiples import condition_of, divided, follows
+from screwkit.certificates.multiples import follows
 from screwkit.certificates.plain_texts import all_plain
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.products import Products, is_minor
@@ -32,6 +33,7 @@ from screwkit.certificates.real_postures import RealPostures
 from screwkit.certificates.records import (
     Case,
     Certificate,
+    Floor,
     Locus,
     Node,
     Part,
@@ -133,6 +135,7 @@ class PartCheck:
         self._signs = Signs(*declared_signs(mechanism))
         self._dimensions = {p.name for p in mechanism.parameters if not p.free}
         self._sheets = Sheets(self._postures, source)
+        self._empty = EmptyNodes(self._postures, self._matrix, self._signs)
         self.general = GeneralClaims(
             self._postures,
             self._matrix,
@@ -159,6 +162,7 @@ class PartCheck:
         self._finished: dict[int, Way] = {}
         self._met: set[int] = set()
         self._covered: Locus | None = None
+        self._floor: Floor | None = None
 
     def all(self) -> Findings:
         """Check the part."""
@@ -185,11 +189,14 @@ class PartCheck:
         if part.proof is not None:
             loci.none_inside_another()
             self._node(part.proof, Way(conditions=self._closed.conditions))
+        for floor in part.floors:
+            self._of_floor(floor)
         return Findings(
             tuple(loci.irreducible),
             tuple(real),
             tuple(loci.sampled),
             tuple(self.general.sampled),
+            tuple(loci.wider),
         )
 
     def _is_everywhere(self) -> bool:
@@ -218,6 +225,16 @@ class PartCheck:
         self._finished.clear()
         self._met.clear()
 
+    def _of_floor(self, floor: Floor) -> None:
+        """A limb that is a chain keeps a rank off some loci."""
+        if self._part.question != "limb" or self._part.form or floor.rank < 1:
+            raise RefusedError("only limbs that are chains keep a rank")
+        self._finished.clear()
+        self._met.clear()
+        self._floor = floor
+        self._node(floor.proof, Way(conditions=self._closed.conditions))
+        self._floor = None
+
     # -- the tree --------------------------------------------------------------------
 
     def _node(self, node: Node, way: Way) -> None:
@@ -237,6 +254,8 @@ class PartCheck:
             node.columns or node.limbs or not self.loci.is_known(node.component)
         ):
             raise RefusedError("it says nothing about a component's own postures")
+        if node.sheet and self._floor is not None:
+            raise RefusedError("of a floor's loci no sheets are known")
         if node.sheet:
             if self._covered is None:
                 self.loci.on_components(node, way)
@@ -251,13 +270,13 @@ class PartCheck:
         elif node.earlier >= 0:
             self._in_earlier(node, way)
         elif node.axis:
-            self._without_axis(node, way)
+            self._empty.without_axis(node, way)
         elif node.vanishing:
-            self._vanishing(node.vanishing, way)
+            self._empty.vanishing(node.vanishing, way)
         elif node.special:
             self.general.special(node, way)
         elif node.impossible >= 0:
-            self._impossible(node, way)
+            self._empty.impossible(node, way)
         else:
             if node.limbs:
                 self._limbs.check(node, way)
@@ -276,12 +295,15 @@ class PartCheck:
         return all(point.value(expression) == 0 for point in points)
 
     def _on_component(self, node: Node, way: Way) -> None:
+        loci = [locus.equations for locus in self._part.components]
+        if self._floor is not None:
+            loci = [*self._floor.loci]
         try:
-            locus = self._part.components[node.component]
+            equations = loci[node.component]
         except IndexError:
             raise RefusedError(f"there is no component {node.component}") from None
         multiples = {multiple.equation: multiple for multiple in node.multiples}
-        for number, text in enumerate(locus.equations):
+        for number, text in enumerate(equations):
             for point in self._postures.several(way):
                 value = point.value(read(text))
                 if not follows(value, multiples.get(number), way, point):
@@ -311,43 +333,10 @@ class PartCheck:
             for condition in way.conditions
         )
 
-    def _without_axis(self, node: Node, way: Way) -> None:
-        """An axis has no length, or each of its coordinates is 0: no mechanism."""
-        free, label = self._matrix.twists(next(self._postures.on(Way()))), node.axis
-        if label not in free:
-            raise RefusedError(f"there is no freedom {label!r}")
-        turning = any(x != 0 for x in free[label][:3])
-        place = slice(0, 3) if turning else slice(3, 6)
-        multiples = {multiple.equation: multiple for multiple in node.multiples}
-        for point in self._postures.several(way):
-            direction = self._matrix.twists(point)[label][place]
-            square = sum((x * x for x in direction), point.zero)
-            if not follows(square, multiples.get(0), way, point) and not all(
-                follows(x, multiples.get(k), way, point)
-                for k, x in enumerate(direction)
-            ):
-                raise RefusedError(f"the axis of {label} has a direction on it")
-
-    def _vanishing(self, name: str, way: Way) -> None:
-        """A symbol that is declared not to be 0 is 0 by the steps of a way."""
-        if name not in self._signs.nonzero:
-            raise RefusedError(f"{name} may be 0")
-        if not self._zero_on(read(name), way):
-            raise RefusedError(f"{name} is not 0 on it")
-
-    def _impossible(self, node: Node, way: Way) -> None:
-        condition = read(condition_of(way, node.impossible))
-        value = read(node.impossible_value)
-        if not self._signs.never_zero(value):
-            raise RefusedError(f"{node.impossible_value} may vanish")
-        for point in self._postures.several(way):
-            left = point.value(condition)
-            left = left * divided(node.over or {}, way, point)
-            if left != point.value(value):
-                raise RefusedError("a condition is not what it is said to be")
-
     def _size_of(self, node: Node) -> int:
         """What size a node's minor must have."""
+        if self._floor is not None:
+            return self._floor.rank
         return node.rank if self._smaller_ones else self._part.rank
 
     @property

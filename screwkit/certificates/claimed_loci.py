@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, permutations
 
 from screwkit.algebra.all_roots import NoResidueError, vanishes
 from screwkit.algebra.exact_point import PointRing
 from screwkit.algebra.modular import ResampleError
 from screwkit.certificates.closed_postures import ClosedPostures
+from screwkit.certificates.containment import holds_on, is_whole_part
 from screwkit.certificates.general_claims import GeneralClaims
 from screwkit.certificates.graph_matrix import GraphMatrix
 from screwkit.certificates.irreducible_equations import Shape, shape_of
@@ -50,6 +51,8 @@ class ClaimedLoci:
         self._products: set[tuple[str, ...]] = set()
         self.sampled: dict[tuple[str, ...], None] = {}
         """Equations of components that may hold at other postures too."""
+        self.wider: dict[tuple[str, ...], None] = {}
+        """Equations of components that hold on all of another one, too."""
         self._looked_at: set[tuple[str, ...]] = set()
         """Those that were shown to hold at singular postures alone."""
         self._cased: set[tuple[str, ...]] = set()
@@ -355,16 +358,19 @@ class ClaimedLoci:
             RefusedError: If one has not.
         """
         loci = (*self._part.components, *self._part.idle)
-        for number, locus in enumerate(loci):
-            point = next(self._points_of(locus))
-            for place, other in enumerate(loci):
-                if place != number and not any(
-                    point.value(read(text)) != 0 for text in other.equations
+        points = [next(self._points_of(locus)) for locus in loci]
+        for one, two in permutations(range(len(loci)), 2):
+            locus, other, point = loci[one], loci[two], points[one]
+            if holds_on(other, point):
+                if holds_on(locus, points[two]) or not is_whole_part(
+                    self._postures, locus, other, point
                 ):
                     raise RefusedError(
                         f"component {' = 0, '.join(locus.equations)} = 0 lies in "
                         f"another one"
                     )
+                self.wider[other.equations] = None
+                self.irreducible.pop(other.equations, None)
 
 
 def _has_one_case(node: Node) -> bool:

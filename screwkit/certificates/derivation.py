@@ -10,18 +10,17 @@ References: [CoxLittleOShea] §9.1; docs/decisions/0019-certificates.md.
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import islice
 
-from screwkit.algebra.branches import Pending, without
+from screwkit.algebra.branches import Branch, Pending, without
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.points import Point
-from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import primitive
 from screwkit.certificates.conditions import (
-    Option,
     Place,
     Problem,
     with_conditions,
@@ -30,14 +29,12 @@ from screwkit.certificates.limb_offers import limb_offers
 from screwkit.certificates.met_conditions import orders
 from screwkit.certificates.offer_choice import LONGEST, Choice
 from screwkit.certificates.offers import minor_offers
-from screwkit.certificates.records import Case, Node, Sheet, Unsolved
+from screwkit.certificates.records import Node, Unsolved
 from screwkit.certificates.roots import NotProvedError
 from screwkit.certificates.sheet_nodes import SheetNodes
 from screwkit.certificates.sheet_trials import SheetTrials, on_the_way
 from screwkit.certificates.steps import (
     followed,
-    numbers_of,
-    written_step,
 )
 from screwkit.certificates.sums import (
     Sum,
@@ -50,7 +47,6 @@ from screwkit.certificates.sums import (
     sum_without_symbol,
 )
 from screwkit.certificates.symbolic_roots import rootless_condition
-from screwkit.certificates.texts import read
 
 NODES = 600
 """Nodes of one proof by minors of the whole matrix."""
@@ -82,7 +78,6 @@ class ProofSearch(SheetNodes):
         rank: Of the matrix in general.
         asks_limbs: Whether limbs are asked before minors of the whole matrix.
         late: Whether sums that leave more than one case unsolved come after minors.
-        count: Nodes so far.
         trials: Asks whether sheets lie on components; None: it is not tried.
         source: Of the choice of minors.
     """
@@ -90,7 +85,6 @@ class ProofSearch(SheetNodes):
     rank: int
     asks_limbs: bool = False
     late: bool = False
-    count: int = 0
     trials: SheetTrials | None = None
     source: random.Random = field(default_factory=lambda: random.Random(5))
 
@@ -256,19 +250,34 @@ class ProofSearch(SheetNodes):
 
     def by_limbs(self, place: Place, number: int) -> Node | None:
         """The node of what limbs say alone; None where they do not say enough."""
-        branch, problem = place.branch, self.problem
-        at = max(branch.points, key=lambda p: problem.matrix.rank_at(*p), default=None)
-        if not self.asks_limbs or at is None or self.falls(at):
+        if not self.asks_limbs:
             return None
+        branch, problem = place.branch, self.problem
         wanted = -1 if problem.moving else self.rank
         library, source = problem.library, self.source
         shown = partial(self.multiples, place)
-        offers = limb_offers(problem.limbs, branch, at, library, wanted, source, shown)
-        try:
-            choice = self.chosen(place, offers)
-        except NotProvedError:
-            return None
-        return self.said(place, number, choice)
+        for at in self.off_the_locus(branch):
+            offers = limb_offers(
+                problem.limbs, branch, at, library, wanted, source, shown
+            )
+            with suppress(NotProvedError):
+                return self.said(place, number, self.chosen(place, offers))
+        return None
+
+    def off_the_locus(self, branch: Branch) -> Iterator[tuple[Point, int]]:
+        """Postures that do not belong to the locus.
+
+        Where none on the branch is known, some at which all but one of its conditions
+        hold, the later ones first: what is seen there may tell the postures apart.
+        """
+        matrix = self.problem.matrix
+        for left_out in (None, *reversed(branch.pending)):
+            kept = branch if left_out is None else without(branch, left_out)
+            at = max(kept.points, key=lambda p: matrix.rank_at(*p), default=None)
+            if at is not None and not self.falls(at):
+                yield at
+                if left_out is None:
+                    return
 
     def said(
         self,
@@ -294,78 +303,6 @@ class ProofSearch(SheetNodes):
         if least >= 0:
             return matrix.freedom_at(*at) < least
         return matrix.rank_at(*at) < self.rank
-
-    # -- cases -----------------------------------------------------------------------
-
-    def cases(
-        self,
-        place: Place,
-        factors: Sequence[tuple[Factor, int]],
-        options: Sequence[Sequence[Option]],
-    ) -> tuple[Case, ...]:
-        """Every factor with what follows on it, simple ones first."""
-        order = sorted(
-            range(len(factors)),
-            key=lambda i: (
-                any(option.step is None for option in options[i]),
-                len(factors[i][0].equations[0]),
-            ),
-        )
-        paired = any(len(own.equations) > 1 for own, _ in factors)
-        return tuple(
-            self.case(place, *factors[i], options[i], paired=paired) for i in order
-        )
-
-    def case(
-        self,
-        place: Place,
-        own: Factor,
-        power: int,
-        options: Sequence[Option],
-        *,
-        paired: bool,
-    ) -> Case:
-        """One factor with what follows on it."""
-        branch = place.branch
-        ring = branch.ring
-        texts = tuple(text(ring, equation) for equation in own.equations)
-        case = Case(texts, power)
-        if not options:
-            if self.positive(branch, own):
-                return replace(case, end="positive")
-            divisor = self.in_divisor(branch, own)
-            if divisor is not None:
-                return replace(case, end="divisor", divisor=divisor)
-            divisor = self.undefined(branch, own)
-            if divisor is not None:
-                return replace(case, end="undefined", divisor=divisor)
-            angle, numbers = numbers_of(ring, own.equations[0])
-            end = "elsewhere" if self.elsewhere(branch, own) else "unreal"
-            return replace(case, end=end, angle=angle, numbers=numbers)
-        if self.is_of_dimensions(branch, own):
-            return replace(case, end="special")
-        if options[0].step is None:
-            return replace(case, kept=self.node(options[0].place))
-        sheets = list[Sheet]()
-        for option in options:
-            last = len(option.place.branch.steps) - 1
-            step = written_step(option.place.branch, last)
-            sheets.append(Sheet(step, self.on_sheet(option)))
-        return replace(case, sheets=tuple(sheets))
-
-    def on_sheet(self, option: Option) -> Node:
-        """The node of one solution."""
-        if option.impossible is None:
-            return self.node(option.place)
-        number = self.count
-        self.count += 1
-        index = option.place.number(option.impossible)
-        branch = option.place.branch
-        (value,), over = followed(branch, [option.place.conditions[index]])
-        written = text(branch.ring, value)
-        if not self.problem.signs.never_zero(read(written)):
-            raise NotProvedError("a condition that vanishes nowhere was not proved so")
-        return Node(number, impossible=index, impossible_value=written, over=over)
 
 
 def proof_of(

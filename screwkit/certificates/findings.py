@@ -18,12 +18,14 @@ class Findings:
             singular postures alone: they were seen at some of their postures.
         sampled_conditions: Conditions that meet in the proof, where what was seen at
             some postures need not hold on other sheets, if there are any.
+        wider_components: Equations of components that hold on all of another one, too.
     """
 
     irreducible: tuple[tuple[str, ...], ...] = ()
     real: tuple[tuple[str, ...], ...] = ()
     sampled_components: tuple[tuple[str, ...], ...] = ()
     sampled_conditions: tuple[tuple[str, ...], ...] = ()
+    wider_components: tuple[tuple[str, ...], ...] = ()
 
 
 def name_of(part: Part) -> str:

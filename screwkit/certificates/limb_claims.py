@@ -43,11 +43,16 @@ class LimbClaims:
         parts: Sequence[Part],
     ) -> None:
         self._postures, self._matrix, self._part = postures, matrix, postures.part
-        self._proved = {
-            part.limb: part
-            for part in parts
-            if part.question == "limb" and not part.form and part.proof is not None
-        }
+        self._known: dict[tuple[str, int], list[tuple[str, ...]]] = {}
+        """By limb and rank: where it is lower, as the limb's own part proves."""
+        for part in parts:
+            if part.question != "limb" or part.form:
+                continue
+            for floor in part.floors:
+                self._known[part.limb, floor.rank] = [*floor.loci]
+            if part.proof is not None:
+                own = [locus.equations for locus in part.components]
+                self._known[part.limb, part.rank] = own
         names = [limb.name for limb in limbs(postures.spoken_of.mechanism)]
         held = {*self._part.locked}
         self._whole = dict(zip(names, postures.spoken_of.limbs, strict=False))
@@ -140,21 +145,18 @@ class LimbClaims:
             raise RefusedError(f"what it says of limb {own.limb} has no reason")
 
     def _rests_on_part(self, own: OfLimb) -> None:
-        part = self._proved.get(own.limb)
-        if part is None or {*self._whole[own.limb]} & {*self._part.locked}:
-            raise RefusedError(f"no part proves the rank of limb {own.limb}")
-        if own.rank > part.rank:
-            raise RefusedError(f"limb {own.limb} has rank {part.rank} in general")
-        if len(own.fallen) != len(part.components):
+        loci = self._known.get((own.limb, own.rank))
+        if loci is None or {*self._whole[own.limb]} & {*self._part.locked}:
+            raise RefusedError(f"no part proves rank {own.rank} of limb {own.limb}")
+        if len(own.fallen) != len(loci):
             raise RefusedError(f"limb {own.limb} loses rank elsewhere too")
 
     def fallen(self, node: Node) -> Iterator[tuple[tuple[str, ...], Node]]:
-        """The components of limbs with what a node says of each."""
+        """Where limbs have a lower rank than is said, with what follows there."""
         for own in node.limbs:
             if own.fallen:
-                components = self._proved[own.limb].components
-                for locus, below in zip(components, own.fallen, strict=True):
-                    yield locus.equations, below
+                loci = self._known[own.limb, own.rank]
+                yield from zip(loci, own.fallen, strict=True)
 
     def product(self, node: Node, point: PointRing) -> Any:
         """The minors of a node's limbs and wrenches at a posture, multiplied."""

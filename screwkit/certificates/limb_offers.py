@@ -38,6 +38,9 @@ from screwkit.errors import TooLargeError
 OFFERED = 8
 """Choices of minors and wrenches of one kind at one node."""
 
+ACROSS = 4
+"""Minors of the same wrenches that are offered, short ones first."""
+
 
 @dataclass
 class _Limbs:
@@ -83,20 +86,17 @@ class _Limbs:
             count += self.wanted - sum(own.rank for own in self.here)
         ring = self.here[0].branch.ring
         for own in self.drawn(count, range(len(self.here))):
-            places = list(range(SCREW_DIMENSION))
-            self.source.shuffle(places)
-            across = [[drawn.values[place] for drawn in own] for place in places]
-            rows = sorted(places[k] for k in independent(across, self.at[1]))
-            covectors = [[w.wrench.covector[row] for row in rows] for w in own]
             try:
-                minors = minors_of(ring, covectors, FILLED)
+                minors = minors_of(ring, [w.wrench.covector for w in own], FILLED)
                 claims = self._claims(range(len(self.here))) if self.wanted >= 0 else {}
             except TooLargeError:
                 continue
-            value = minors.get((1 << count) - 1, ring.zero)
-            # Of a wrench forces come first, of a covector what goes with rotations.
-            across_rows = tuple((row + 3) % SCREW_DIMENSION for row in rows)
-            yield self._offer(claims, own, Node(-1, rows=across_rows), value)
+            shown = [k for k, value in minors.items() if residue(value, *self.at)]
+            for chosen in sorted(shown, key=lambda k: len(minors[k]))[:ACROSS]:
+                # Of a wrench forces come first, of a covector what goes with rotations.
+                rows = [row for row in range(SCREW_DIMENSION) if chosen >> row & 1]
+                across = tuple((row + 3) % SCREW_DIMENSION for row in rows)
+                yield self._offer(claims, own, Node(-1, rows=across), minors[chosen])
 
     def works(self, held: int) -> Iterator[Offer]:
         """Wrenches of all limbs but one that do work in the joints of that one."""
@@ -141,7 +141,7 @@ class _Limbs:
             except TooLargeError:
                 continue
             yield self._offer(claims, (), Node(-1), None)
-            if all(self.here[i].is_regular for i in limbs):
+            if all(self.here[i].is_known for i in limbs):
                 break
 
     def _claims(self, limbs: Sequence[int]) -> dict[int, RankClaim]:
@@ -167,7 +167,7 @@ class _Limbs:
                 parts.append((claim.minor, 1))
                 over = added(over, claim.over)
             by_part = claim is not None and claim.minor is None
-            fallen.append((limb.system.components or ()) if by_part else ())
+            fallen.append(limb.system.floors[limb.rank] if by_part else ())
             said.append(_with_wrenches(own, limb, given))
         return Offer(
             tuple(parts), replace(node, limbs=tuple(said), over=over), tuple(fallen)
@@ -208,7 +208,7 @@ def limb_offers(
     places = range(len(here))
     total = sum(own.rank for own in here)
     if wanted >= 0:
-        order = sorted(places, key=lambda i: (here[i].is_regular, here[i].rank))
+        order = sorted(places, key=lambda i: (here[i].is_known, here[i].rank))
         bare = [i for i in order if total - here[i].rank >= wanted]
         if bare:
             limbs = _Limbs(here, [], at, wanted, source)

@@ -6,7 +6,7 @@ References: [LongCaroKhalil2012] (4)-(9), (26).
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -24,6 +24,9 @@ from screwkit.loci.wrench_vectors import Vector, spanning_wrenches
 FILLED = 300_000
 """Products of terms that one more column of a minor may take."""
 
+Loci: TypeAlias = tuple[tuple[Polynomial, ...], ...]
+"""The equations of each."""
+
 Shown: TypeAlias = Callable[[Sequence[Polynomial]], tuple[Multiple, ...] | None]
 """Which of some values are multiples of conditions; None where one is not 0."""
 
@@ -36,15 +39,14 @@ class LimbSystem:
         name: Of the limb.
         labels: Its freedoms that are not locked.
         columns: Their twists.
-        rank: Of all its twists in general.
-        components: Where it falls; None where that is not proved, or joints are locked.
+        floors: By rank: where the limb's is lower, if that is proved; none where joints
+            are locked.
     """
 
     name: str
     labels: tuple[str, ...]
     columns: tuple[tuple[Polynomial, ...], ...]
-    rank: int
-    components: tuple[tuple[Polynomial, ...], ...] | None
+    floors: Mapping[int, Loci]
 
 
 @dataclass(frozen=True)
@@ -110,10 +112,9 @@ class LimbHere:
         return cls(system, branch, columns, values, at[1], rank(values, at[1]))
 
     @property
-    def is_regular(self) -> bool:
-        """Whether the limb's own list says where its rank is less than here."""
-        own = self.system
-        return own.components is not None and own.rank == self.rank
+    def is_known(self) -> bool:
+        """Whether the limb's own part says where its rank is less than here."""
+        return self.rank in self.system.floors
 
     def wrenches(self, library: FactorLibrary, shown: Shown) -> list[Wrench]:
         """Covectors that annihilate its twists, and span all that do at the point.
@@ -153,7 +154,7 @@ class LimbHere:
         Raises:
             TooLargeError: If that takes a minor that is too long.
         """
-        if self.is_regular:
+        if self.is_known:
             return RankClaim(OfLimb(self.system.name, self.rank), None, {})
         order = sorted(range(len(self.columns)), key=self._weight)
         places = list(range(SCREW_DIMENSION))

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from math import prod
 from typing import TypeAlias
 
 from screwkit.algebra.factors import Factor
+from screwkit.algebra.trigonometric import primitive
 from screwkit.certificates.conditions import Option, Place
 from screwkit.certificates.endings import Endings
 from screwkit.certificates.offers import Offer
 from screwkit.certificates.roots import NotProvedError
+from screwkit.certificates.steps import followed
 from screwkit.certificates.whole_equations import with_whole_equations
 
 LONGEST = 60_000
@@ -42,6 +45,11 @@ class Choice:
     fallen: list[list[Option]]
 
 
+def _size(option: Option) -> int:
+    """What is left to be done: Bézout's number of the unsolved conditions."""
+    return prod(own.value.total_degree() for own in option.place.branch.pending)
+
+
 @dataclass
 class OfferChoice(Endings):
     """Chooses between products by what is left to be done on their cases.
@@ -60,12 +68,20 @@ class OfferChoice(Endings):
         """
         branch = place.branch
         candidates: list[_Candidate] = []
+        met = set[tuple[frozenset[str], int]]()
         for offer in offers:
             factors = self.product(branch, offer.parts, self.longest)
             if factors is not None:
                 factors = with_whole_equations(self, place, factors)
-                if self.is_held(place, factors):
+                if self.is_held(place, factors) or self.are_held(place, offer):
                     continue  # it says nothing here
+                alike = (
+                    frozenset(f.key for f, _ in factors),
+                    sum(map(len, offer.fallen)),
+                )
+                if alike in met:
+                    continue  # as good as one before
+                met.add(alike)
                 open_ones = [f for f, _ in factors if not self.positive(branch, f)]
                 weight = sum(3 + len(f.equations[0]) for f in open_ones)
                 candidates.append((weight, len(candidates), offer, factors))
@@ -76,7 +92,7 @@ class OfferChoice(Endings):
         candidates.sort(key=lambda candidate: candidate[:2])
         known: dict[str, list[Option]] = {}
         reason = ""
-        best: tuple[tuple[int, int], Choice] | None = None
+        best: tuple[tuple[int, int, int], Choice] | None = None
         for _, order, offer, factors in candidates[:LOOKED_AT]:
             try:
                 options = self.options(place, factors, known)
@@ -84,14 +100,15 @@ class OfferChoice(Endings):
                 reason = str(error)
                 continue
             fallen = [[self.where(place, e) for e in own] for own in offer.fallen]
-            left = sum(
-                1 + 4 * len(option.place.branch.pending)
+            left = [
+                _size(option)
                 for own in (*options, *fallen)
                 for option in own
                 if self.is_open(option)
-            )
-            if best is None or (left, order) < best[0]:
-                best = (left, order), Choice(offer, factors, options, fallen)
+            ]
+            cost = max(left, default=0), sum(left), order
+            if best is None or cost < best[0]:
+                best = cost, Choice(offer, factors, options, fallen)
             if not left:
                 break
         if best is None:
@@ -119,3 +136,15 @@ class OfferChoice(Endings):
                 known[own.key] = options
             found.append(options)
         return found
+
+    def are_held(self, place: Place, offer: Offer) -> bool:
+        """Whether a limb has a lower rank on all of a node than an offer says."""
+        held = {str(primitive(p.value)) for p in place.branch.pending}
+        return any(
+            all(
+                value == 0 or str(primitive(value)) in held
+                for value in followed(place.branch, equations)[0]
+            )
+            for own in offer.fallen
+            for equations in own
+        )

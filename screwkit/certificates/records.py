@@ -140,8 +140,8 @@ class OfLimb:
         limb: Its name.
         rank: Its twists have no less than this rank.
         rows, columns: Coordinates and freedoms of a minor of its twists that shows it;
-            empty where the limb's own part does.
-        fallen: In that case what follows on each component of that part.
+            empty where the limb's own part does, or a floor of that.
+        fallen: In that case what follows where the rank is lower, locus by locus.
         wrenches: (f; m), reciprocal to its twists, at the origin of the part's frame.
         work: Which reciprocal products are 0 as multiples of a condition, counted over
             the limb's freedoms that are not locked, wrench after wrench.
@@ -255,6 +255,21 @@ class Locus:
 
 
 @dataclass(frozen=True)
+class Floor:
+    """What the rank of a limb is no less than, off some loci.
+
+    Attributes:
+        rank: That rank, less than in general.
+        loci: The equations of each: what the rank is on it is not said.
+        proof: By minors of the limb's twists, of this size.
+    """
+
+    rank: int
+    loci: tuple[tuple[str, ...], ...]
+    proof: Node
+
+
+@dataclass(frozen=True)
 class Demand:
     """What closed loops demand where they tie joint variables.
 
@@ -290,6 +305,7 @@ class Part:
         demands: Where loops tie joint variables: with these conditions the proof
             starts.
         closed: How closed postures are met in general.
+        floors: Of a limb that is a chain: what its rank is where it is lower.
         proof: That there is no other component; None if none was found.
         reason: Why there is no proof; or what is not shown besides.
     """
@@ -306,6 +322,7 @@ class Part:
     idle: tuple[Locus, ...] = ()
     demands: tuple[Demand, ...] = ()
     closed: tuple[Unsolved, ...] = ()
+    floors: tuple[Floor, ...] = ()
     proof: Node | None = None
     reason: str = ""
 

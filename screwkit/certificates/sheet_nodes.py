@@ -2,27 +2,23 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from abc import ABC
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import without
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.polynomial_text import text
-from screwkit.certificates.conditions import Option, Place
+from screwkit.certificates.case_nodes import CaseNodes
+from screwkit.certificates.conditions import Place
 from screwkit.certificates.met_conditions import Met
-from screwkit.certificates.offer_choice import OfferChoice
 from screwkit.certificates.records import Case, Node
 from screwkit.certificates.texts import read
 
 
 @dataclass
-class SheetNodes(OfferChoice, ABC):
+class SheetNodes(CaseNodes, ABC):
     """Writes such nodes."""
-
-    @abstractmethod
-    def on_sheet(self, option: Option) -> Node:
-        """What follows on a case."""
 
     def bare_sheet(self, place: Place, number: int, order: Sequence[Met]) -> Node:
         """A sheet without what follows on its cases."""

@@ -20,8 +20,16 @@ from screwkit.algebra.trigonometric import (
     TrigonometricRing,
     as_fraction,
 )
-from screwkit.certificates.records import Step
-from screwkit.certificates.roots import NotProvedError
+from screwkit.certificates.records import Reach, Step
+from screwkit.certificates.roots import NotProvedError, roots_of
+
+
+def reach_of(branch: Branch) -> Reach:
+    """How points of a branch are found."""
+    steps = tuple(written_step(branch, n) for n in range(len(branch.steps)))
+    ring = branch.ring
+    roots = roots_of(ring, [p.value for p in branch.pending], branch.nonzero)
+    return Reach(steps, roots)
 
 
 def written_step(branch: Branch, number: int) -> Step:

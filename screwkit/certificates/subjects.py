@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch
@@ -87,14 +87,17 @@ def _system(
     """A limb in the frame of all, with what its own part proves."""
     framed = assembly.common_twists
     labels = tuple(joint for joint in limb.joints if joint not in locked)
-    components = None
-    if part.proof is not None and len(labels) == len(limb.joints):
-        components = tuple(
-            tuple(evaluate(read(e), framed.ring) for e in locus.equations)
-            for locus in part.components
-        )
+    known: dict[int, Iterable[tuple[str, ...]]] = {}
+    if len(labels) == len(limb.joints):
+        known = {floor.rank: floor.loci for floor in part.floors}
+        if part.proof is not None:
+            known[part.rank] = (locus.equations for locus in part.components)
+    floors = {
+        rank: tuple(tuple(evaluate(read(e), framed.ring) for e in own) for own in loci)
+        for rank, loci in known.items()
+    }
     columns = tuple(tuple(framed.column(joint)) for joint in labels)
-    return LimbSystem(limb.name, labels, columns, part.rank, components)
+    return LimbSystem(limb.name, labels, columns, floors)
 
 
 def _subject(

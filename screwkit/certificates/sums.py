@@ -24,6 +24,7 @@ from screwkit.algebra.sums_of_conditions import (
 )
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.certificates.conditions import Conditions, Place
+from screwkit.certificates.endings import Endings
 from screwkit.certificates.records import Multiple
 from screwkit.certificates.steps import followed
 
@@ -74,7 +75,7 @@ def _solvable(
     return None
 
 
-def implied_equation(known: Conditions, place: Place) -> Sum | None:
+def implied_equation(known: Endings, place: Place) -> Sum | None:
     """A sum that is a multiple of an equation of a component; None if not found."""
     branch = place.branch
     numbers = [n for n, (value, _) in enumerate(place.followed) if value != 0]
@@ -85,7 +86,8 @@ def implied_equation(known: Conditions, place: Place) -> Sum | None:
         found = made_a_sum(branch.ring, equation, values, _is_free(known, place))
         if found is not None:
             factors = known.factors(branch, found.value)
-            return Sum(terms_of(place, numbers, found), tuple(factors))
+            if not known.is_held(place, factors):
+                return Sum(terms_of(place, numbers, found), tuple(factors))
     return None
 
 
@@ -215,12 +217,16 @@ def determinant_sum(known: Conditions, place: Place) -> Sum | None:
 
 
 def _wanted(known: Conditions, place: Place) -> list[Polynomial]:
-    """Factors of equations of components that seem to hold, and are not shown to."""
+    """Factors of equations of components that seem to hold, and are not shown to.
+
+    Those of components of which the fewest are left come first.
+    """
     branch = place.branch
     found = []
     for equations in known.problem.components:
         if branch.points and not known.all_vanish(equations, branch):
             continue
+        left = []
         for equation in equations:
             if known.multiples(place, [equation]) is not None:
                 continue
@@ -228,8 +234,9 @@ def _wanted(known: Conditions, place: Place) -> list[Polynomial]:
             for own, _ in known.factors(branch, value):
                 first, *more = own.equations
                 if not more and not any(residue(first, *at) for at in branch.points):
-                    found.append(first)
-    return found
+                    left.append(first)
+        found.append(left)
+    return [own for left in sorted(found, key=len) for own in left]
 
 
 def _is_free(known: Conditions, place: Place) -> Callable[[Polynomial], bool]:

@@ -44,6 +44,9 @@ def _remarks(part: VerifiedPart) -> Iterator[str]:
     """What was not shown."""
     if part.sampled:
         yield f"{NOT_ALONE}: {_named(part.sampled)}"
+    if part.wider:
+        named = _named(part.wider)
+        yield f"equations that hold on all of another component too: {named}"
     every = range(1, part.components + 1)
     for text, shown in (
         ("not shown to be irreducible", part.irreducible),

@@ -25,6 +25,7 @@ class VerifiedPart:
             alone: only some of their postures were seen.
         sampled_conditions: Conditions that meet in the proof, where what was seen at
             some postures need not hold on other sheets, if there are any.
+        wider: Components whose equations hold on all of another component, too.
     """
 
     name: str
@@ -36,6 +37,7 @@ class VerifiedPart:
     real: tuple[int, ...] = ()
     sampled: tuple[int, ...] = ()
     sampled_conditions: tuple[tuple[str, ...], ...] = ()
+    wider: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, repr=False)

@@ -8,13 +8,22 @@ from typing import Any
 
 import numpy as np
 import pytest
-from certificates.forged import HEAD
+from certificates.forged import HEAD, certificate
 
 from screwkit.case import load_text
+from screwkit.certificates.checking import check
 from screwkit.certificates.limb_claims import LimbClaims
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.products import Products
-from screwkit.certificates.records import Case, Locus, Multiple, Node, OfLimb, Part
+from screwkit.certificates.records import (
+    Case,
+    Floor,
+    Locus,
+    Multiple,
+    Node,
+    OfLimb,
+    Part,
+)
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.texts import RefusedError
 
@@ -186,7 +195,8 @@ def test_a_limb_s_own_part_shows_its_rank() -> None:
     ("node", "part", "why"),
     [
         (changed(BY_PART, fallen=()), LIMB, "elsewhere"),
-        (changed(BY_PART, rank=3), LIMB, "rank 2 in general"),
+        (changed(BY_PART, rank=3), LIMB, "no part proves rank 3"),
+        (changed(BY_PART, rank=1), LIMB, "no part proves rank 1"),
         (BY_PART, replace(LIMB, proof=None), "no part proves"),
         (BY_PART, replace(LIMB, limb="limb_2"), "no part proves"),
         (BY_PART, replace(LIMB, question="constraint"), "no part proves"),
@@ -198,6 +208,32 @@ def test_a_limb_s_own_part_shows_no_more_than_it_proves(
 ) -> None:
     with pytest.raises(RefusedError, match=why):
         examined(node, CONSTRAINT, part)
+
+
+FLOOR = Floor(1, (("c", "x"),), Node(0))
+BY_FLOOR = changed(BY_PART, rank=1, fallen=(Node(1, component=0),))
+
+
+def test_a_floor_shows_a_lower_rank() -> None:
+    """Of forces and couples of both limbs five are independent: 1 + 2 - 6 + 5 = 2."""
+    low = replace(CONSTRAINT, rank=2)
+    node = replace(SUM, limbs=(*changed(SUM, **BY_SUM).limbs[:1], SUM.limbs[1]))
+    claims = examined(node, low, replace(LIMB, floors=(FLOOR,)))
+    assert [*claims.fallen(node)] == [(("c", "x"), Node(1, component=0))]
+    more = replace(FLOOR, loci=(("c", "x"), ("y",)))
+    with pytest.raises(RefusedError, match="elsewhere"):
+        examined(node, low, replace(LIMB, floors=(more,)))
+    with pytest.raises(RefusedError, match="no part proves rank 1"):
+        examined(node, low, LIMB)
+
+
+BY_SUM = {"rank": 1, "rows": (), "columns": (), "fallen": BY_FLOOR.limbs[0].fallen}
+
+
+def test_loops_have_no_floor() -> None:
+    part = replace(CONSTRAINT, floors=(FLOOR,))
+    with pytest.raises(RefusedError, match="only limbs that are chains"):
+        check(certificate(FOUR_BAR, part), load_text(FOUR_BAR).mechanism, 1)
 
 
 def test_a_part_about_all_joints_says_nothing_of_a_limb_with_locked_ones() -> None:

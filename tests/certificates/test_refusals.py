@@ -23,7 +23,7 @@ from certificates.forged import (
 
 import screwkit
 from screwkit.case import load_text
-from screwkit.certificates.checking import PartCheck
+from screwkit.certificates.checking import PartCheck, checked
 from screwkit.certificates.general_claims import GeneralClaims
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import (
@@ -227,15 +227,17 @@ def test_a_component_without_one_of_its_equations_is_refused() -> None:
 def test_each_equation_of_a_true_component_is_needed() -> None:
     """Of points in a plane: the list that is found, and what is left without one."""
     found = screwkit.singularities(screwkit.load("4H_equal_pitch"), certificate=True)
-    part = from_text(str(found.certificate)).parts[2]
-    (locus,) = part.components
+    parts = from_text(str(found.certificate)).parts
+    (locus,) = parts[2].components
     assert len(locus.equations) == len(IN_PLANE)
-    assert not judged(HELICAL, part).sampled_components
+    mechanism = screwkit.load("4H_equal_pitch").mechanism
+    assert not checked(mechanism, parts[2], "seed", parts).sampled_components
+    part = replace(parts[2], proof=None)
     for equation in locus.equations:
         left = tuple(own for own in locus.equations if own != equation)
         forged = replace(locus, equations=left)
         with pytest.raises(RefusedError):
-            judged(HELICAL, replace(part, components=(forged,), proof=None))
+            judged(HELICAL, replace(part, components=(forged,)))
 
 
 @pytest.mark.parametrize("left_out", range(3))
