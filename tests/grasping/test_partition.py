@@ -209,6 +209,7 @@ def test_what_hangs_on_nothing_keeps_its_loops_closed(axis: str, idle: int) -> N
     found = sk.mobility(load_text(LOOSE.replace("AXIS", axis)))
     assert found.instantaneous_mobility == 1 + idle
     gamma = found.partition.gamma
+    assert gamma is not None
     assert (gamma.p_r, gamma.ao_c) == (idle, 1)
     blocks = found.partition.blocks
     said = [motion.words for block in blocks for motion in block.motions]
