@@ -8,18 +8,18 @@ import sys
 from pathlib import Path
 
 import pytest
+from reports import samples
 
 import screwkit as sk
-from screwkit import cli, terminal
+from screwkit import cli, guard, terminal
 from screwkit.analyses.places import turns_of
 from screwkit.errors import (
     ExpressionError,
-    MissingToolError,
     ScrewkitError,
     UnfitValueError,
     UnknownNameError,
 )
-from screwkit.reports import bundle, typeset
+from screwkit.reports import typeset
 from screwkit.sliced import sliced_singularities
 from screwkit.sweeps.executors import executor_of
 
@@ -136,17 +136,6 @@ def test_a_report_of_another_ending_is_2(
     assert not Path(f"a.{ending}").exists()
 
 
-def test_no_tex_is_a_missing_tool_and_the_source_is_there(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(typeset, "is_available", lambda: False)
-    analysis = sk.analyze(sk.load("bennett"))
-    with pytest.raises(MissingToolError, match="and no PDF: pdflatex is not installed"):
-        bundle.write_pdf(analysis, tmp_path / "a.pdf")
-    source = (tmp_path / "a.tex").read_text(encoding="utf-8")
-    assert source.startswith("\\documentclass")
-
-
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is full")
 @pytest.mark.parametrize("words", ["doctor", "cases --json", "check nao_t14"])
 @pytest.mark.parametrize(
@@ -167,3 +156,28 @@ def test_an_output_that_takes_nothing_is_2_in_one_line(
     )
     assert done.returncode == 2
     assert done.stderr == f"screwkit: cannot write to standard output: {said}\n"
+
+
+@pytest.mark.parametrize(("options", "code"), [((), 5), (("--timeout", "9"), 4)])
+def test_no_tex_is_5_and_no_time_4(
+    options: tuple[str, ...],
+    code: int,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def outcome(*_: object, **__: object) -> guard.Outcome:
+        if not options:
+            return guard.Answered(samples.ANALYSIS)
+        parts = (("description", samples.DESCRIPTION), ("mobility", samples.MOBILITY))
+        return guard.Stopped("timeout", guard.Stage("screws", "", 9.0), parts)
+
+    monkeypatch.setattr(terminal, "run", outcome)
+    monkeypatch.setattr(typeset, "is_available", lambda: False)
+    place = str(tmp_path / "a.pdf")
+    words = ("report", "nao_t14", "--format", "pdf", "-o", place, *options)
+    assert screwkit(*words) == code
+    errors = capsys.readouterr().err
+    assert "and no PDF: pdflatex is not installed" in errors
+    assert ("undecided: out of time" in errors) == (code == 4)
+    assert (tmp_path / "a.tex").exists()
