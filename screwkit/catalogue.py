@@ -56,11 +56,14 @@ def _read(case: str, changes: Mapping[str, Any] | None = None) -> Any:
 
 def _counts(mechanism: Any) -> dict[str, int]:
     from screwkit.mechanism.graph import independent_loops  # noqa: PLC0415
+    from screwkit.mechanism.joints import freedom_labels  # noqa: PLC0415
 
     return {
         "links": len(mechanism.links),
         "joints": len(mechanism.joints),
-        "freedoms": sum(len(joint.variables) for joint in mechanism.joints),
+        "freedoms": sum(
+            len(freedom_labels(joint, mechanism.space)) for joint in mechanism.joints
+        ),
         "loops": independent_loops(mechanism),
     }
 

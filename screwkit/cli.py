@@ -6,6 +6,7 @@ Ctrl-C.
 
 from __future__ import annotations
 
+import os
 import sys
 from typing import Annotated, NoReturn
 
@@ -76,6 +77,11 @@ def main(arguments: list[str] | None = None) -> NoReturn:
 
 
 def _run(words: list[str], *, debug: bool) -> int:
+    if sys.stderr is None:  # closed before the start: what is told goes nowhere
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
+    if sys.stdout is None:
+        sys.stderr.write("screwkit: cannot write to standard output: it is closed\n")
+        return errors.EXIT_USAGE
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="replace")
@@ -87,11 +93,14 @@ def _run(words: list[str], *, debug: bool) -> int:
         if type(error).__name__ == "NoArgsIsHelpError":
             error.show()
             return errors.EXIT_USAGE
-        return _failed(words, error.format_message(), "usage", errors.EXIT_USAGE)
+        message = error.format_message().replace("Value error, ", "")
+        return _failed(words, message, "usage", errors.EXIT_USAGE)
     except (KeyboardInterrupt, typer.Abort):
         return _failed(words, "interrupted", "interrupted", errors.EXIT_INTERRUPTED)
     except errors.MissingToolError as error:
         return _failed(words, str(error), "tool", errors.EXIT_TOOL)
+    except errors.OutputError as error:
+        return _failed(words, str(error), "output", errors.EXIT_USAGE)
     except (OSError, errors.ScrewkitError) as error:
         if debug:
             raise
@@ -107,7 +116,7 @@ def _failed(words: list[str], message: str, kind: str, code: int) -> int:
     from screwkit.terminal import emit_json, note  # noqa: PLC0415
 
     note(f"screwkit: {' '.join(message.split())}")
-    if "--json" in words:
+    if "--json" in words and kind != "output":
         emit_json("", {"error": {"kind": kind, "message": message}})
     return code
 

@@ -27,6 +27,7 @@ Delivery = Callable[[Any], list[str]]
 
 
 _TABLES = (".tex", ".csv", ".json", ".txt")
+_REPORTS = {"latex": ".tex", "pdf": ".pdf", "html": ".html"}
 
 
 def only_balanced(answer: Schemes) -> Schemes:
@@ -191,7 +192,17 @@ def open_page(answer: View) -> list[str]:
 
 
 def deliver_report(form: str, output: Path | None) -> Delivery:
-    """Write a report as ``latex``, ``pdf`` or ``html``."""
+    """Write a report as ``latex``, ``pdf`` or ``html``.
+
+    Raises:
+        ScrewkitError: If the ending of the file is that of another format.
+    """
+    for other in _REPORTS.keys() - {form}:
+        if output is not None and output.suffix.lower() == _REPORTS[other]:
+            raise ScrewkitError(
+                f"{output}: a report with this ending needs --format {other}, but "
+                f"--format is {form}"
+            )
 
     def deliver(answer: Analysis) -> list[str]:
         from screwkit.reports.bundle import write_html, write_latex, write_pdf  # noqa: PLC0415

@@ -104,3 +104,10 @@ class UnwritableError(ScrewkitError):
     def __init__(self, path: object, error: OSError) -> None:
         reason = (error.strerror or str(error)).lower()
         super().__init__(f"cannot write {path}: {reason}")
+
+
+class OutputError(UnwritableError):
+    """Standard output takes nothing more."""
+
+    def __init__(self, error: OSError) -> None:
+        super().__init__("to standard output", error)

@@ -104,7 +104,13 @@ def measure_of(length: str) -> Expression | None:
 
     if not length:
         return None
-    measure = parse(str(length), ())
+    try:
+        measure = parse(str(length), ())
+    except ExpressionError as error:
+        raise ExpressionError(
+            f"{length!r} is no length that counts as one radian: {error}; a number is "
+            f"expected"
+        ) from None
     if not float(evaluate(measure, BatchRing({}))) > 0:
         raise ExpressionError(
             f"a length that counts as one radian is positive, and {length} is not"

@@ -13,6 +13,8 @@ from typing import Any
 import typer
 
 DEBUG = "--debug"
+_MOST = 2.0**32
+"""Gigabytes beyond which a limit is none: no system counts further."""
 
 
 def request_of(question: str, given: dict[str, Any], **options: Any) -> Any:
@@ -38,7 +40,7 @@ def request_of(question: str, given: dict[str, Any], **options: Any) -> Any:
         at=settings("--at", given["at"]),
         actuated=None if actuated is None else freedoms_in("--actuated", actuated),
         options={name: value for name, value in options.items() if value is not None},
-        memory=usual_memory() if memory is None else int(memory * 2**30),
+        memory=usual_memory() if memory is None else int(min(memory, _MOST) * 2**30),
     )
     return Request(
         job,

@@ -39,12 +39,12 @@ def sliced_singularities(
     """
     if not slices:
         raise ScrewkitError("what is drawn is a slice: --slice NAME=FROM:TO twice")
+    slicing = slicing_of(case.mechanism, slices)
     if output.suffix not in FORMS:
         named = f"{output}: " if output.name else ""
         raise ScrewkitError(
             f"{named}a slice is drawn as {', '.join(FORMS)}; give -o FILE"
         )
-    slicing = slicing_of(case.mechanism, slices)
     mechanism = with_values(case.mechanism, slicing.fixed)
     inside = Case(_varied(mechanism, slicing), case.wanted, case.path, case.given)
     answer = question(inside)

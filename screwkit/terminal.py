@@ -185,7 +185,7 @@ def _partial(request: Request, reason: str, parts: tuple[tuple[str, Any], ...]) 
     whole = partial_analysis(parts, reason)
     if request.deliver is not None:
         if whole is not None:
-            note(*request.deliver(whole))
+            _deliver_what_can_be(request.deliver, whole)
         note(f"undecided: {reason}")
         if request.as_json:
             emit_json(request.job.case, {"status": "undecided", "reason": reason})
@@ -198,6 +198,14 @@ def _partial(request: Request, reason: str, parts: tuple[tuple[str, Any], ...]) 
             if part is not None:
                 emit(text_of(part))
         emit(text_of(open_question))
+
+
+def _deliver_what_can_be(deliver: Callable[[Any], list[str]], whole: Any) -> None:
+    """A part of an answer; that the rest is open is told without a tool as well."""
+    try:
+        note(*deliver(whole))
+    except errors.MissingToolError as error:
+        note(str(error))
 
 
 def _partial_json(
@@ -224,7 +232,14 @@ def emit(text: str) -> None:
         sys.stdout.flush()
     except BrokenPipeError:
         # The reader (head, less) has seen enough.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _write_no_more()
+    except OSError as error:
+        _write_no_more()
+        raise errors.OutputError(error) from None
+
+
+def _write_no_more() -> None:
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def emit_json(case: str, content: Mapping[str, Any]) -> None:

@@ -98,6 +98,17 @@ _SOME = 12
 """Names up to which a message lists them all."""
 
 
+def left_or_meant(name: str, known: Collection[str], given: Collection[str]) -> str:
+    """Of a name that is not left: that it has its value, or which was meant.
+
+    >>> left_or_meant("a", ["b"], ["a"]), left_or_meant("a", ["ab"], [])
+    ("; 'a' has been given a value already", " (did you mean 'ab'?)")
+    """
+    if name in given:
+        return f"; {name!r} has been given a value already"
+    return meant_or_all(name, known)
+
+
 def meant_or_all(name: str, known: Collection[str]) -> str:
     """The nearest known name, or which there are where none is near.
 

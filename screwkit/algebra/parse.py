@@ -38,7 +38,6 @@ from screwkit.algebra.limits import (
     stacked,
 )
 from screwkit.algebra.names import (
-    RESERVED,
     SCALAR_FUNCTIONS,
     VECTOR_FUNCTIONS,
     did_you_mean,
@@ -204,7 +203,7 @@ class _Reader:
             if reason := why_no_symbol(name):
                 raise self._error(node, reason)
         elif name not in self._names:
-            known = {*self._names, *self._vectors, *RESERVED}
+            known = {*self._names, *self._vectors, "pi"}
             raise self._error(
                 node, f"unknown name {shown(name)}{did_you_mean(name, known)}"
             )

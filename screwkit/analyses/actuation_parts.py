@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from functools import partial
 
 from screwkit.analyses.one_component import component_of
 from screwkit.kinematics.assembly import Assembly
+from screwkit.kinematics.joints_aside import freedoms_aside
 from screwkit.loci.actuation_locus import ActuationLocus
 from screwkit.loci.pieces import Piece
 from screwkit.results.singularities import Component
 
 
 def actuation_parts(
-    assembly: Assembly, locus: ActuationLocus
+    assembly: Assembly, locus: ActuationLocus, actuated: Collection[str]
 ) -> tuple[tuple[Piece, Component], ...]:
     """Each piece with its component; idle where the platform has no freedom there.
 
     Args:
         assembly: The mechanism.
         locus: Of one scheme.
+        actuated: That scheme.
     """
+    aside = freedoms_aside(assembly, actuated)
     ring = assembly.common_twists.ring
     written = partial(
         component_of, root=assembly.root(ring), library=assembly.library(ring)
@@ -34,7 +38,7 @@ def actuation_parts(
                 rank=rank,
                 wrench_dimension=rank,
                 platform_freedom=state.platform_freedom,
-                mobility=state.mobility,
+                mobility=state.mobility + aside,
             ),
         )
         for piece, state, rank in zip(locus.pieces, locus.states, held, strict=True)

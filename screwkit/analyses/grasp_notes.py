@@ -46,7 +46,7 @@ def units_note(
     """By which measure rotations and translations are compared, if they are."""
     mixed = []
     if answers.translation.semi_axes and answers.rotation.semi_axes:
-        mixed.append("the object's motion mixes rotations and translations")
+        mixed.append("the motion mixes rotations and translations")
     strokes = {label in at.matrices.turning for label in at.matrices.actuated}
     if len(strokes) > 1:
         mixed.append("the actuators turn and slide")

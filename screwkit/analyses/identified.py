@@ -107,8 +107,10 @@ class ScrewWriter:
                 FoundScrew(column), ("rotation", "translation"), words
             )
         named = [known for known in features.points if joint in known.joints]
-        if named:
-            words += f", through {named[0].name}"
+        # A point that is named by the axis itself tells nothing of it.
+        telling = [x for x in named if joint not in x.name.replace(",", "").split()]
+        if telling:
+            words += f", through {telling[0].name}"
         shortest = min((point, *(known.position for known in named)), key=_terms)
         return self._identified(
             FoundScrew(column, point=shortest),

@@ -10,7 +10,7 @@ from math import isfinite
 
 from screwkit.algebra.batch import BatchRing
 from screwkit.algebra.evaluation import evaluate
-from screwkit.algebra.names import did_you_mean
+from screwkit.algebra.names import meant_or_all
 from screwkit.algebra.parse import parse
 from screwkit.errors import ExpressionError, UnknownNameError
 from screwkit.mechanism.model import Mechanism
@@ -47,7 +47,7 @@ def turns_of(
         if link not in mechanism.links or link == mechanism.base:
             movable = [name for name in mechanism.links if name != mechanism.base]
             raise UnknownNameError(
-                f"no movable link {link!r}{did_you_mean(link, movable)}"
+                f"no movable link {link!r}{meant_or_all(link, movable)}"
             )
         parts = [turn] if isinstance(turn, str | float | int) else list(turn)
         if len(parts) == 1 and mechanism.space == "planar":

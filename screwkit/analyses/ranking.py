@@ -12,7 +12,7 @@ from screwkit.algebra.expression import Expression
 from screwkit.analyses.ranked_motion import ranked_motion
 from screwkit.errors import UndecidedError
 from screwkit.kinematics.placement import why_tied
-from screwkit.kinematics.values import declared_values, with_values
+from screwkit.kinematics.values import declared_values, given_before, with_values
 from screwkit.mechanism.model import Mechanism
 from screwkit.metrics.posture_samples import (
     SEED,
@@ -62,7 +62,9 @@ def ranking(
     names = [p.name for p in mechanism.parameters]
     if mechanism.geometry != "posture":
         names += mechanism.joint_variables
-    intervals = dict(interval_of(text, names) for text in within)
+    intervals = dict(
+        interval_of(text, names, given_before(mechanism)) for text in within
+    )
     fixed = _fixed(mechanism, intervals)
     sample = posture_sample(mechanism, postures, intervals, length)
     moving = ranked_motion(

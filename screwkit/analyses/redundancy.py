@@ -47,7 +47,7 @@ def redundancy(
     if not locus.admissible:
         generic = [freedom(table) for table in system.generic]
         places.append(everywhere(answer, assembly.dimension, [generic]))
-    parts = actuation_parts(assembly, locus)
+    parts = actuation_parts(assembly, locus, actuated)
     for piece, component in sorted(parts, key=lambda part: part[1].codimension):
         sheets = [
             [freedom(system.table_at(*point)) for point in branch.points]

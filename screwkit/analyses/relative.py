@@ -13,7 +13,7 @@ from screwkit.algebra.common_factors import without_common_factors
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.expression import Expression
 from screwkit.algebra.modular import echelon
-from screwkit.algebra.names import did_you_mean
+from screwkit.algebra.names import meant_or_all
 from screwkit.algebra.reconstruction import Reconstruction
 from screwkit.algebra.survey import SurveyRing
 from screwkit.algebra.trigonometric import TrigonometricRing
@@ -56,7 +56,7 @@ def relative_motion(
     other = relative_to or network.mechanism.base
     for name in (body, other):
         if name not in links:
-            hint = did_you_mean(name, links)
+            hint = meant_or_all(name, links)
             raise UnknownNameError(
                 f"no link {name!r} in {network.mechanism.name}{hint}"
             )

@@ -25,6 +25,7 @@ from screwkit.analyses.superbracket import superbracket
 from screwkit.analyses.unexpanded import six_lines_in_words
 from screwkit.analyses.whole_singularities import put_together
 from screwkit.kinematics.assembly import Assembly, LimbChain
+from screwkit.kinematics.joints_aside import freedoms_aside
 from screwkit.kinematics.limb_parts import Parts
 from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.kinematics.loop_state import LoopState
@@ -276,7 +277,7 @@ def constraint_singularities(
                 if names
                 else None,
                 state_on(piece, limbs),
-                assembly.dimension,
+                assembly,
             )
             for piece in ordered
         )
@@ -345,7 +346,7 @@ def _constraint_component(
     library: FactorLibrary,
     words: Callable[[Piece], str | None] | None,
     state: LoopState,
-    size: int,
+    assembly: Assembly,
 ) -> Component:
     return component_of(
         piece,
@@ -353,9 +354,9 @@ def _constraint_component(
         library,
         words,
         rank=state.loop,
-        wrench_dimension=size - state.platform_freedom,
+        wrench_dimension=assembly.dimension - state.platform_freedom,
         platform_freedom=state.platform_freedom,
-        mobility=state.mobility,
+        mobility=state.mobility + freedoms_aside(assembly),
     )
 
 
@@ -364,8 +365,7 @@ def actuation_singularities(
 ) -> ActuationSingularities:
     """Where, with these joints locked, the platform can move."""
     locus = actuation_locus(assembly, actuated)
-    size = assembly.dimension
-    parts = actuation_parts(assembly, locus)
+    parts = actuation_parts(assembly, locus, actuated)
     moving = [(p, c) for p, c in parts if c.platform_freedom]
     bracket = None
     if locus.admissible:
@@ -377,7 +377,7 @@ def actuation_singularities(
     return ActuationSingularities(
         actuated=tuple(actuated),
         admissible=locus.admissible,
-        generic_rank=size - locus.platform_freedom,
+        generic_rank=assembly.dimension - locus.platform_freedom,
         complete=locus.complete,
         components=tuple(
             c if c.geometry else replace(c, geometry=_six_lines(n, p, locus, bracket))

@@ -1,11 +1,11 @@
 """Where the object is held, and which joints move each place.
 
 The platform is the object.  Without it the joint graph falls apart into limbs; a tree
-grows in each of them from the base (or from the object where nothing leads to the
-base), and every joint outside the trees compares the velocities of two bodies: with
-the object's it is a *contact*, with another body's a *closure* inside a limb.  A joint
-that moves stands in its tree with its own freedoms and is rigid behind them; a contact
-of the file holds by its selector.
+grows in each of them from the base, or from the object where nothing leads to the base
+(from a body of its own where nothing leads to either), and every joint outside the
+trees compares the velocities of two bodies: with the object's it is a *contact*, with
+another body's a *closure* inside a limb.  A joint that moves stands in its tree with
+its own freedoms and is rigid behind them; a contact of the file holds by its selector.
 
 References: [BicchiMelchiorri] §2, [BicchiPrattichizzo] §II and Appendix A.
 """
@@ -47,7 +47,8 @@ class Holds:
 
     Attributes:
         contacts: On the object, in the order of the file.
-        closures: Inside limbs, in the order of the file.
+        closures: Inside limbs, and inside what hangs on nothing, in the order of the
+            file.
         passing: Contacts of the file that stand in a tree, because nothing else carries
             the body behind them; their freedoms are passive joints.
         free: Bodies that nothing connects with base or object.
@@ -88,10 +89,15 @@ class _Grown:
             self.grow([base], without=platform)
             self.root.setdefault(platform, platform)
             self.grow([platform], without=base)
+        free = tuple(x for x in self.mechanism.links if x not in self.root)
+        for link in free:  # what hangs on nothing keeps its own loops closed
+            if link not in self.root:
+                self.root[link] = link
+                self.grow([link], without="")
         contacts: list[Hold] = []
         closures: list[Hold] = []
         for joint in self.mechanism.joints:
-            if joint.name in self.used or joint.parent not in self.root:
+            if joint.name in self.used:
                 continue
             hold = self.hold(joint)
             (contacts if hold.on_object else closures).append(hold)
@@ -100,7 +106,6 @@ class _Grown:
             for joint in self.mechanism.joints
             if joint.name in self.used and _touches(joint)
         )
-        free = tuple(x for x in self.mechanism.links if x not in self.root)
         return Holds(tuple(contacts), tuple(closures), passing, free)
 
     def grow(self, start: Sequence[str], without: str) -> None:

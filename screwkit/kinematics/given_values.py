@@ -18,7 +18,7 @@ from screwkit.algebra.names import did_you_mean, shown
 from screwkit.algebra.parse import parse
 from screwkit.errors import ExpressionError, UnfitValueError, UnknownNameError
 from screwkit.kinematics.placement import why_tied
-from screwkit.kinematics.values import declared_values, with_values
+from screwkit.kinematics.values import declared_values, given_before, with_values
 from screwkit.mechanism.model import Demand, Mechanism, Parameter
 from screwkit.mechanism.requirements import Requirement, requirements_of
 from screwkit.mechanism.symbols import closed_values_of, depending_on
@@ -103,12 +103,16 @@ def placed_at(
 def _no_symbol(
     mechanism: Mechanism, option: str, name: str, value: object, known: Collection[str]
 ) -> UnknownNameError:
+    found = f"{option} {name}={value}: no symbol {shown(name)}"
+    if name in given_before(mechanism):
+        return UnknownNameError(
+            f"{option} {name}={value}: {name!r} has been given a value already (--set)"
+        )
     hint = did_you_mean(name, known)
     if not hint:
         more = ", …" if len(known) > _SOME else ""
         listed = ", ".join([*known][:_SOME])
         hint = f"; it has {listed}{more}" if known else "; it has no symbols"
-    found = f"{option} {name}={value}: no symbol {shown(name)}"
     return UnknownNameError(f"{found} in {mechanism.name}{hint}")
 
 

@@ -59,6 +59,12 @@ def declared_values(mechanism: Mechanism) -> dict[str, Expression]:
     return {p.name: p.value for p in mechanism.parameters if p.value is not None}
 
 
+def given_before(mechanism: Mechanism) -> frozenset[str]:
+    """Symbols of the file in whose place values from outside stand already."""
+    left = {parameter.name for parameter in mechanism.parameters}
+    return frozenset(mechanism.written) - left - {*mechanism.joint_variables}
+
+
 def _joint(joint: Joint, values: Mapping[str, Expression], put: Put) -> Joint:
     def vector(written: VectorExpression | None) -> VectorExpression | None:
         if written is None:

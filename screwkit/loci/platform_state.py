@@ -20,6 +20,7 @@ from screwkit.algebra.search import Search
 from screwkit.algebra.telling_coordinates import telling_coordinates
 from screwkit.conventions import MOMENT, SCREW_DIMENSION
 from screwkit.kinematics.assembly import Assembly, loop_rows
+from screwkit.kinematics.joints_aside import freedoms_aside
 from screwkit.kinematics.subspaces import PlatformSystem
 from screwkit.loci.dependence import dependent_zeros
 from screwkit.loci.rank_drop import Column, rank_drop
@@ -83,6 +84,7 @@ class PlatformStates:
         self.root = replace(assembly.root(ring), thorough=True)
         self.library = assembly.library(ring)
         self._assembly = assembly
+        self._moving = len(assembly.joints) + freedoms_aside(assembly)
         self._actuated = actuated
 
     def on(self, branch: Branch) -> PlatformState | None:
@@ -121,7 +123,7 @@ class PlatformStates:
             wrench_dimension=assembly.dimension - platform.freedom,
             platform_freedom=platform.freedom,
             motion_type=platform.motion_type,
-            mobility=len(assembly.joints) - (rank(rows, prime) if rows else 0),
+            mobility=self._moving - (rank(rows, prime) if rows else 0),
             locked_freedom=locked,
         )
 

@@ -56,10 +56,10 @@ class HeldFreedoms:
 
 def too_few(actuators: int, freedoms: int) -> str:
     """That there are fewer actuators than freedoms, in words."""
-    return (
-        f"{counted(actuators, 'actuator')} cannot hold the platform's "
-        f"{counted(freedoms, 'freedom')}"
-    )
+    held = f"the platform's {counted(freedoms, 'freedom')}"
+    if not actuators:
+        return f"without actuators nothing holds {held}"
+    return f"{counted(actuators, 'actuator')} cannot hold {held}"
 
 
 def doing_too_little(wasted: Wasted, left: Callable[[Sequence[str]], str]) -> str:

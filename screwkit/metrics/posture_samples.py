@@ -13,16 +13,15 @@ so that what is divided by it does not.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from screwkit.algebra.batch import Array, BatchRing
-from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.expression_building import symbols_of
-from screwkit.algebra.names import did_you_mean
-from screwkit.algebra.parse import parse
+from screwkit.algebra.names import left_or_meant
+from screwkit.algebra.ranges import end_of_range
 from screwkit.errors import ExpressionError, UndecidedError, UnknownNameError
 from screwkit.kinematics.loops import ring_at
 from screwkit.mechanism.model import Mechanism
@@ -52,8 +51,15 @@ class PostureSample:
     length: float
 
 
-def interval_of(text: str, known: Sequence[str]) -> tuple[str, Interval]:
+def interval_of(
+    text: str, known: Sequence[str], given: Collection[str] = ()
+) -> tuple[str, Interval]:
     """A symbol and its range as they are written, ``NAME=FROM:TO``.
+
+    Args:
+        text: The range.
+        known: Symbols of the mechanism.
+        given: Those that had a value put in their place.
 
     Raises:
         UnknownNameError: If the name is no symbol of the mechanism.
@@ -61,8 +67,8 @@ def interval_of(text: str, known: Sequence[str]) -> tuple[str, Interval]:
     """
     name, interval = limits_of(text)
     if name not in known:
-        hint = did_you_mean(name, known)
-        raise UnknownNameError(f"no symbol {name!r} to draw{hint}")
+        hint = left_or_meant(name, known, given)
+        raise UnknownNameError(f"--within {text}: no symbol {name!r} to draw{hint}")
     return name, interval
 
 
@@ -76,8 +82,7 @@ def limits_of(text: str) -> tuple[str, Interval]:
     parts = rest.split(":")
     if not sign or len(parts) != 2:
         raise ExpressionError(f"{text!r} is no range; write NAME=FROM:TO")
-    ring = BatchRing({})
-    start, stop = (float(evaluate(parse(part, ()), ring)) for part in parts)
+    start, stop = (end_of_range(part, text) for part in parts)
     if not start <= stop:
         raise ExpressionError(f"{text!r} ends before it starts")
     return name.strip(), (start, stop)

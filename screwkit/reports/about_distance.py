@@ -275,13 +275,13 @@ def _measured(measure: DistanceMeasure, answer: Distance) -> str:
     parts = []
     platform = platform_called(answer.platform_name)
     if measure.platform:
-        shift = ", the shift of its origin over L" if measure.length else ""
+        shift = " and the shift of its origin over L" if measure.length else ""
         parts.append(f"the angle of {platform}'s rotation in radians{shift}")
     if measure.angles:
         parts.append(f"the changes of {_list(measure.angles)} in radians")
     if measure.lengths:
         parts.append(f"the changes of {_list(measure.lengths)} over L")
-    text = f"distance: the root of the sum of squares of {'; '.join(parts)}"
+    text = f"distance: the root of the sum of squares of {', and of '.join(parts)}"
     if measure.length is not None:
         unit = f" {measure.unit}" if measure.unit else ""
         whose = "as given" if measure.given else "the characteristic length"

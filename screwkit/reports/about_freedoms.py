@@ -146,7 +146,7 @@ def connectivity_blocks(
         )
         for n, body, row in zip(numbers, answer.bodies, answer.table, strict=True)
     )
-    head = "freedom of each body relative to each other"
+    head = "freedoms of each body relative to every other"
     return _shown(head, Table(columns, rows), captioned=captioned)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from re import sub
 
 from screwkit.algebra.names import counted, limb_called
 from screwkit.reports.blocks import (
@@ -51,11 +52,9 @@ def manipulability_blocks(answer: Manipulability) -> tuple[Block, ...]:
         *index_blocks(answer.force, answer, "torques"),
         *worst_cases(answer),
     ]
-    if answer.statics.internal or answer.statics.indeterminacy:
-        blocks += [
-            Heading(words("INTERNAL FORCES"), 1, words("forces against torques")),
-            *internal_blocks(answer),
-        ]
+    if internal := internal_blocks(answer):
+        head = Heading(words("INTERNAL FORCES"), 1, words("forces against torques"))
+        blocks += [head, *internal]
     blocks += cooperative_blocks(answer.cooperative, answer)
     blocks += [Paragraph(words(text), 1) for text in notes(answer)]
     return tuple(blocks)
@@ -200,7 +199,7 @@ def index_blocks(
                 cells.append(words(coordinates(index.joint_directions[number])))
             rows.append(tuple(cells))
         blocks.append(Table(tuple(columns), tuple(rows)))
-    blocks += [Paragraph(text, 1) for text in _exactly(index)]
+    blocks += [Paragraph(text, 1) for text in _exactly(index, answer)]
     if index.infinite and twist:
         rows_ = ", ".join(coordinates(d, split) for d in index.infinite_directions)
         blocks.append(
@@ -242,13 +241,15 @@ def coordinate_names(*, planar: bool, twist: bool) -> str:
     return "(ω; v)" if twist else "(f; m)"
 
 
-def _exactly(index: IndexValues) -> tuple[Text, ...]:
+def _exactly(index: IndexValues, answer: Manipulability) -> tuple[Text, ...]:
     if not index.polynomial:
         return ()
-    spans: list[Text] = [(Words("exactly: "), Math(f"{index.polynomial} = 0"))]
+    value = answer.symbolic.unknown  # no symbol of the file
+    polynomial = sub(r"\bx\b", value, index.polynomial)
+    spans: list[Text] = [(Words("exactly: "), Math(f"{polynomial} = 0"))]
     if index.exact:
         roots = joined([math(text) for text in index.exact], ", ")
-        spans = [(*spans[0], Words(", x = "), *roots)]
+        spans = [(*spans[0], Words(", "), Math(value), Words(" = "), *roots)]
     return tuple(spans)
 
 
@@ -311,7 +312,7 @@ def internal_blocks(answer: Manipulability) -> tuple[Block, ...]:
     if index.finite:
         values = ", ".join(decimal(value) for value in index.finite)
         said.append(words(f"values {values}"))
-        said += _exactly(index)
+        said += _exactly(index, answer)
     if index.zero:
         said.append(
             words(

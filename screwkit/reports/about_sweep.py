@@ -13,10 +13,9 @@ def sweep_blocks(answer: Sweep) -> tuple[Block, ...]:
         f"{name} from {decimal(low)} to {decimal(high)}"
         for name, (low, high) in zip(answer.vary, answer.ranges, strict=True)
     )
-    points = " × ".join(str(count) for count in answer.shape)
-    blocks: list[Block] = [
-        Paragraph(words(f"{answer.index} at {points} points: {ranges}"), 1)
-    ]
+    shape = " × ".join(str(count) for count in answer.shape)
+    points = f"{shape} point" if shape == "1" else f"{shape} points"
+    blocks: list[Block] = [Paragraph(words(f"{answer.index} at {points}: {ranges}"), 1)]
     rows: list[tuple[Text, ...]] = []
     for name, extremum in (
         ("least", answer.least),

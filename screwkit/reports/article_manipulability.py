@@ -69,9 +69,9 @@ def manipulability_section(answer: Manipulability) -> tuple[Block, ...]:
             "table:force",
         ),
     ]
-    if answer.statics.internal or answer.statics.indeterminacy:
+    if internal := internal_blocks(answer):
         blocks.append(_head("Internal forces", "BicchiPrattichizzo, (22)"))
-        blocks += _sentences(internal_blocks(answer))
+        blocks += _sentences(internal)
     arms = [
         block
         for block in cooperative_blocks(answer.cooperative, answer)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+from screwkit.algebra.names import counted
+from screwkit.errors import MissingToolError
 from screwkit.reports import latex, typeset
 from screwkit.reports.article import Article, article
 from screwkit.reports.blocks import Figure
@@ -41,7 +43,7 @@ def write_latex(analysis: Analysis, output: Path) -> list[str]:
     number = len(written.tables)
     said = [f"wrote {path}, {number} tables in {path.parent / 'fragments'}, {results}"]
     if pictures:
-        said.append(f"{len(pictures)} pictures in {path.parent / 'figs'}")
+        said.append(f"{counted(len(pictures), 'picture')} in {path.parent / 'figs'}")
     return said
 
 
@@ -49,6 +51,7 @@ def write_pdf(analysis: Analysis, output: Path) -> list[str]:
     """Write the PDF and its source beside it; without TeX the source alone.
 
     Raises:
+        MissingToolError: If TeX is not installed; the source is written.
         TypesettingError: If TeX fails; the source is there to be looked at.
     """
     path = output if output.suffix == ".pdf" else output / "report.pdf"
@@ -59,10 +62,9 @@ def write_pdf(analysis: Analysis, output: Path) -> list[str]:
     for file, content in pictures.items():
         write(path.parent / file, content)
     if not typeset.is_available():
-        return [
-            f"wrote {tex}",
-            f"no PDF: pdflatex is not installed; {typeset.INSTALL}",
-        ]
+        raise MissingToolError(
+            f"wrote {tex}, and no PDF: pdflatex is not installed; {typeset.INSTALL}"
+        )
     pdf, _ = typeset.typeset(source, files=pictures)
     write(path, pdf)
     return [f"wrote {path} and {tex}"]

@@ -15,12 +15,14 @@ import numpy as np
 
 from screwkit.algebra.batch import Array
 from screwkit.algebra.expression import Expression
+from screwkit.algebra.names import counted
 from screwkit.errors import ExpressionError
+from screwkit.kinematics.values import given_before
 from screwkit.mechanism.model import Mechanism
 from screwkit.progress import Progress, silent
 from screwkit.results.sweep import Extremum, Sweep
 from screwkit.sweeps.files import check_ending, write_values
-from screwkit.sweeps.grid import Axis, Grid, axis_of, grid_of
+from screwkit.sweeps.grid import Axis, Grid, axis_of, grid_of, refuse_unfit
 from screwkit.sweeps.objective import objective_of
 from screwkit.sweeps.optimum import refined
 from screwkit.sweeps.run import swept
@@ -73,6 +75,7 @@ def sweep_map(
     Raises:
         UnknownNameError: If an index or a symbol is unknown.
         ExpressionError: If a range is none.
+        UnfitValueError: If a range has values that the file excludes.
         UndecidedError: If the index has no finite values, or a table no closed posture.
         ScrewkitError: If the ending of the file is unknown.
     """
@@ -81,11 +84,13 @@ def sweep_map(
         raise ExpressionError("nothing is varied; give a range, --vary NAME=A:B:COUNT")
     if output is not None:
         check_ending(output)
-    axes = tuple(axis_of(text, known) for text in vary)
+    given = given_before(mechanism)
+    axes = tuple(axis_of(text, known, given) for text in vary)
+    refuse_unfit(axes, mechanism.parameters, zero=False)
     points = Samples(axes, samples) if samples else grid_of(axes)
     varied = tuple(axis.name for axis in axes)
     objective = objective_of(mechanism, index, varied, wanted)
-    progress("sweep", f"{index} at {points.size} points")
+    progress("sweep", f"{index} at {counted(points.size, 'point')}")
     kept = None if output is None else output.with_name(output.name + ".parts")
     values = swept(
         objective,

@@ -7,7 +7,7 @@ from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing import get_context
 
-from screwkit.errors import MissingToolError
+from screwkit.errors import MissingToolError, ScrewkitError
 
 
 @contextmanager
@@ -20,6 +20,7 @@ def executor_of(workers: int = 0, scheduler: str = "") -> Iterator[Executor | No
 
     Raises:
         MissingToolError: If Dask is asked for and not installed.
+        ScrewkitError: If no scheduler answers at the address.
     """
     if scheduler:
         try:
@@ -29,7 +30,13 @@ def executor_of(workers: int = 0, scheduler: str = "") -> Iterator[Executor | No
                 "a Dask cluster needs the package distributed: "
                 "pip install 'screwkit[dask]'"
             ) from None
-        with Client(scheduler) as client:
+        try:
+            client = Client(scheduler)
+        except (OSError, ValueError) as error:
+            raise ScrewkitError(
+                f"no Dask scheduler answers at {scheduler!r} (--scheduler): {error}"
+            ) from None
+        with client:
             yield client.get_executor()
     elif workers:
         with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:

@@ -50,7 +50,10 @@ def check_ending(path: Path) -> None:
         ScrewkitError: If the ending is unknown.
     """
     if path.suffix not in ENDINGS:
-        raise ScrewkitError(f"{path}: a sweep is written as {' or '.join(ENDINGS)}")
+        raise ScrewkitError(
+            f"{path}: a sweep is written as {' or '.join(ENDINGS)}, and drawn as .pdf, "
+            f".svg or .png"
+        )
 
 
 def _write(path: Path, points: Grid | Samples, index: str, values: Array) -> None:

@@ -5,16 +5,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from screwkit.algebra.batch import Array, BatchRing
-from screwkit.algebra.evaluation import evaluate
-from screwkit.algebra.names import did_you_mean
-from screwkit.algebra.parse import parse
-from screwkit.errors import ExpressionError, UnknownNameError
+from screwkit.algebra.batch import Array
+from screwkit.algebra.names import left_or_meant
+from screwkit.algebra.ranges import end_of_range
+from screwkit.errors import ExpressionError, UnfitValueError, UnknownNameError
+from screwkit.mechanism.model import Parameter
 
 LARGEST = 100_000_000
 """Points of a grid beyond which it is refused."""
@@ -60,8 +60,13 @@ class Grid:
         }
 
 
-def axis_of(text: str, known: Sequence[str]) -> Axis:
+def axis_of(text: str, known: Sequence[str], given: Collection[str] = ()) -> Axis:
     """An axis as it is written, ``name=start:stop:count``.
+
+    Args:
+        text: The range.
+        known: Symbols of the mechanism.
+        given: Those that had a value put in their place.
 
     Raises:
         UnknownNameError: If the name is no symbol of the mechanism.
@@ -73,14 +78,37 @@ def axis_of(text: str, known: Sequence[str]) -> Axis:
     if not sign or len(parts) != 3:
         raise ExpressionError(f"{text!r} is no range; write NAME=START:STOP:COUNT")
     if name not in known:
-        hint = did_you_mean(name, known)
+        hint = left_or_meant(name, known, given)
         raise UnknownNameError(f"no symbol {name!r} to vary{hint}")
-    ring = BatchRing({})
-    start, stop = (float(evaluate(parse(part, ()), ring)) for part in parts[:2])
+    start, stop = (end_of_range(part, text) for part in parts[:2])
     count = parts[2].strip()
     if not (count.isascii() and count.isdigit() and 0 < int(count[:12]) <= LARGEST):
-        raise ExpressionError(f"{count!r} is no number of steps, in {text!r}")
+        raise ExpressionError(
+            f"{count!r} is no number of steps from 1 to {LARGEST}, in {text!r}"
+        )
     return Axis(name, start, stop, int(count))
+
+
+def refuse_unfit(
+    axes: Sequence[Axis], parameters: Sequence[Parameter], *, zero: bool
+) -> None:
+    """Ranges hold what the file demands of a symbol, as single values do.
+
+    Args:
+        axes: The ranges.
+        parameters: The symbols.
+        zero: Whether zero may be the end of a range of positive numbers.
+
+    Raises:
+        UnfitValueError: If a symbol is declared positive, and its range is not.
+    """
+    positive = {parameter.name for parameter in parameters if parameter.positive}
+    for axis in axes:
+        least = min(axis.start, axis.stop)
+        if axis.name in positive and (least < 0 or (least == 0 and not zero)):
+            raise UnfitValueError(
+                f"{axis.name!r} is declared positive, but its range has {least:g}"
+            )
 
 
 def grid_of(axes: Sequence[Axis]) -> Grid:

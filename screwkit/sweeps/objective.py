@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from screwkit.algebra.batch import Array
 from screwkit.algebra.expression import Expression
 from screwkit.algebra.expression_building import substitute
-from screwkit.algebra.names import did_you_mean
+from screwkit.algebra.names import meant_or_all
 from screwkit.errors import UndecidedError, UnknownNameError
 from screwkit.finite.table_search import closed_posture
 from screwkit.grasping.exact_grasp import Ranks
@@ -74,7 +74,7 @@ def objective_of(
     kind, _, measure = index.partition(".")
     names = [f"{k}.{m}" for k in KINDS for m in MEASURES] + list(LOCI)
     if index not in names:
-        raise UnknownNameError(f"no index {index!r}{did_you_mean(index, names)}")
+        raise UnknownNameError(f"no index {index!r}{meant_or_all(index, names)}")
     values = declared_values(mechanism)
     fixed = {n: v for n, v in values.items() if n not in varied}
     own = with_values(mechanism, fixed)

@@ -7,7 +7,7 @@ and this changes its sign; everything else is said in words.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Final
@@ -23,11 +23,11 @@ from screwkit.algebra.parse import parse
 from screwkit.algebra.text import expression_text
 from screwkit.errors import ExpressionError, UndecidedError
 from screwkit.kinematics.placement import TURNING, why_tied
-from screwkit.kinematics.values import declared_values
+from screwkit.kinematics.values import declared_values, given_before
 from screwkit.mechanism.model import Joint, JointType, Mechanism
 from screwkit.results.singularities import Component, Singularities
 from screwkit.results.slice import SingularSlice, SlicedComponent
-from screwkit.sweeps.grid import Axis, axis_of
+from screwkit.sweeps.grid import Axis, axis_of, grid_of, refuse_unfit
 from screwkit.sweeps.zero_lines import Segment, zero_lines
 
 STEPS: Final = 201
@@ -65,9 +65,12 @@ def slicing_of(mechanism: Mechanism, ranges: Sequence[str]) -> Slicing:
     if mechanism.geometry != "posture" and not why_tied(mechanism):
         free = [name for joint in mechanism.joints for name in _not_held(joint)]
     symbols = [parameter.name for parameter in mechanism.parameters]
-    one, two = (_axis(text, [*symbols, *free]) for text in ranges)
+    given = given_before(mechanism)
+    one, two = (_axis(text, [*symbols, *free], given) for text in ranges)
+    refuse_unfit((one, two), mechanism.parameters, zero=True)
     if one.name == two.name:
         raise ExpressionError(f"{one.name!r} is sliced twice")
+    grid_of((one, two))
     varied = {one.name, two.name}
     values = declared_values(mechanism)
     missing = [name for name in symbols if name not in values and name not in varied]
@@ -88,8 +91,11 @@ def _not_held(joint: Joint) -> list[str]:
     return [n for n, value in zip(joint.variables, held, strict=True) if value is None]
 
 
-def _axis(text: str, known: Sequence[str]) -> Axis:
-    found = axis_of(text if text.count(":") > 1 else f"{text}:{STEPS}", known)
+def _axis(text: str, known: Sequence[str], given: Collection[str]) -> Axis:
+    if text.count(":") not in {1, 2}:
+        raise ExpressionError(f"{text!r} is no range; write NAME=FROM:TO")
+    full = text if text.count(":") > 1 else f"{text}:{STEPS}"
+    found = axis_of(full, known, given)
     if not (np.isfinite([found.start, found.stop]).all() and found.start < found.stop):
         raise ExpressionError(f"{text!r}: a range of a slice ascends")
     if found.count < 2:

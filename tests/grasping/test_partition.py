@@ -15,6 +15,7 @@ from grasping.random_grasps import PRIME, Drawn, grasp, grasps
 from hypothesis import given, settings
 
 import screwkit as sk
+from screwkit.case import load_text
 from screwkit.grasping import symbolic_blocks
 from screwkit.grasping.partition import BLOCKS, MOVING, blocks_of
 from screwkit.grasping.statics import contact_forces
@@ -176,3 +177,41 @@ def test_vectors_that_grow_too_long_are_left_to_numbers(
         for motion in block.motions:
             assert motion.rates
             assert all(Fraction(rate) for rate in motion.rates)
+
+
+LOOSE = """
+screwkit: 1
+name: loose
+space: spatial
+geometry: posture
+base: base
+platform: arm
+links: [base, arm, one, two, three, four]
+vectors: {k: [0, 0, 1]}
+joints:
+  - {name: A, type: revolute, parent: base, child: arm, axis: k, point: [0, 0, 0]}
+  - {name: M, type: revolute, parent: one, child: two, axis: k, point: [1, 0, 0]}
+  - {name: N, type: revolute, parent: two, child: three, axis: k, point: [0, 2, 0]}
+  - {name: O, type: revolute, parent: three, child: four, axis: AXIS, point: [3, 3, 0]}
+  - {name: Q, type: revolute, parent: four, child: one, axis: k, point: [4, 1, 0]}
+actuated: [A]
+"""
+
+
+@pytest.mark.parametrize(
+    ("axis", "idle"),
+    [
+        ("[0, 0, 1]", 1),  # a planar four-bar: 4 freedoms less 3 equations
+        ("[0, 1, 1]", 0),  # three parallel hinges and a skew one: a triangle, rigid
+    ],
+)
+def test_what_hangs_on_nothing_keeps_its_loops_closed(axis: str, idle: int) -> None:
+    found = sk.mobility(load_text(LOOSE.replace("AXIS", axis)))
+    assert found.instantaneous_mobility == 1 + idle
+    gamma = found.partition.gamma
+    assert gamma is not None
+    assert (gamma.p_r, gamma.ao_c) == (idle, 1)
+    blocks = found.partition.blocks
+    said = [motion.words for block in blocks for motion in block.motions]
+    assert len(said) == 1 + idle
+    assert "M moves" not in said
