@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from analyses.test_strata import answered, component_of, flagged
+from analyses.test_strata import component_of, flagged
 from loci.numeric import value
 from loci.test_hybrid_loci import at, drawn, freedom, limb_at, mobility
+from one_answer import with_strata
 
 from screwkit.results.strata import Stratum
 
@@ -15,7 +16,7 @@ NAMES = ("watt_six_bar", "orthoglide", "palletizer_scara", "peaucellier")
 
 @pytest.mark.parametrize("name", NAMES)
 def test_all_numbers_are_those_of_a_real_posture_in_floats(name: str) -> None:
-    answer, strata = answered(name)
+    answer, strata = with_strata(name)
     assert answer.actuation is not None
     locked = answer.actuation.actuated
     real = [one for one in strata.strata if one.real == "proved"]
@@ -36,7 +37,7 @@ def test_all_numbers_are_those_of_a_real_posture_in_floats(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_the_generic_state_is_that_of_a_random_posture(name: str) -> None:
     """Limbs count with the loops inside them closed, not by their joints."""
-    answer, strata = answered(name)
+    answer, strata = with_strata(name)
     here = drawn(name, 7)
     ranks = [freedom(limb_at(name, x.limb, here).platform()) for x in answer.limb]
     assert ranks == list(strata.generic.limb_ranks)
@@ -46,7 +47,7 @@ def test_the_generic_state_is_that_of_a_random_posture(name: str) -> None:
 
 def between(name: str, members: set[tuple[str, str, int]]) -> list[Stratum]:
     """The strata of codimension 2 on exactly these components."""
-    _, strata = answered(name)
+    _, strata = with_strata(name)
     return [
         one
         for one in strata.strata
@@ -73,7 +74,7 @@ def test_a_six_bar_with_its_first_crank_and_rocker_in_line() -> None:
 def test_a_flat_parallelogram_adds_to_a_limb() -> None:
     """One that gives the limb a freedom, one that gives none: together it has it."""
     name = "palletizer_scara"
-    _, strata = answered(name)
+    _, strata = with_strata(name)
     generic = strata.generic.limb_ranks
     checked = 0
     for one in strata.strata:
@@ -91,7 +92,7 @@ def test_a_flat_parallelogram_adds_to_a_limb() -> None:
 
 @pytest.mark.parametrize("name", ["watt_six_bar", "peaucellier"])
 def test_what_is_everywhere_does_not_change(name: str) -> None:
-    _, strata = answered(name)
+    _, strata = with_strata(name)
     for one in strata.strata:
         for inner in strata.strata:
             inside = set(one.members) < set(inner.members)
@@ -101,7 +102,7 @@ def test_what_is_everywhere_does_not_change(name: str) -> None:
 
 def test_on_a_stratum_that_holds_everywhere_random_postures_agree() -> None:
     """Peaucellier's rods folded on each other: whatever m and w, six freedoms."""
-    _, strata = answered("peaucellier")
+    _, strata = with_strata("peaucellier")
     folded = next(s for s in strata.strata if s.equations == ("cos(phi) + 1",))
     assert folded.holds == "everywhere"
     for seed in range(6):
@@ -110,7 +111,7 @@ def test_on_a_stratum_that_holds_everywhere_random_postures_agree() -> None:
 
 
 def test_flags_of_a_graph_are_raised_where_numbers_differ() -> None:
-    _, strata = answered("orthoglide")
+    _, strata = with_strata("orthoglide")
     assert not flagged(strata)  # its limbs are independent of each other
-    _, six_bar = answered("watt_six_bar")
+    _, six_bar = with_strata("watt_six_bar")
     assert flagged(six_bar)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property
+from functools import cached_property
 from itertools import combinations
 
 import numpy as np
 import pytest
 from kinematics.float_loops import FloatLoops, counted
 from loci.numeric import Array, value
+from one_answer import with_strata
 from one_process import grouped
 from scipy.optimize import least_squares
 from typer.testing import CliRunner
@@ -40,13 +41,6 @@ CASES = (
 GAP = 1e5
 ROW = "5 (2 and 4) 4, 4 3, not 4 3 (0T3R) 0, not 1 generally"
 NOTHING = 1e-12
-
-
-@cache
-def answered(name: str, together: int = 2) -> tuple[Singularities, Strata]:
-    answer = sk.singularities(sk.load(name), strata=together)
-    assert answer.strata is not None
-    return answer, answer.strata
 
 
 @dataclass(frozen=True)
@@ -81,7 +75,7 @@ def rank(matrix: Array) -> int:
 @pytest.mark.parametrize("name", grouped("strata of", *CASES))
 def test_singular_values_at_a_real_posture_agree(name: str) -> None:
     """All numbers of a stratum, from twists that are written down in floats."""
-    answer, strata = answered(name)
+    answer, strata = with_strata(name)
     case = sk.load(name)
     mechanism = case.mechanism
     locked = () if answer.actuation is None else answer.actuation.actuated
@@ -114,7 +108,7 @@ def test_the_constraint_singularity_of_the_two_arms() -> None:
     "Four wrenches forming a 3-system … the object has 3-DOF"; each arm alone suggests
     four independent wrenches.
     """
-    answer, strata = answered("nao_t14")
+    answer, strata = with_strata("nao_t14")
     (one,) = (
         s for s in strata.strata if Member("constraint", "", 0) in s.itself and s.around
     )
@@ -133,7 +127,7 @@ def test_the_constraint_singularity_of_the_two_arms() -> None:
 
 def test_arms_that_lose_a_freedom_each_add_up() -> None:
     """With axes 3 and 5 one line, and 8 and 10, the four wrenches are independent."""
-    answer, strata = answered("nao_t14")
+    answer, strata = with_strata("nao_t14")
     wanted = {Member("limb", "right", 0), Member("limb", "left", 0)}
     assert component_of(answer, Member("limb", "right", 0)).equations == ("sin(q4)",)
     assert component_of(answer, Member("limb", "left", 0)).equations == ("sin(q9)",)
@@ -148,7 +142,7 @@ def test_two_sets_on_which_the_same_conditions_hold() -> None:
     All four points in line, where B turns against C and D with A and E locked; or C at
     D, where C and D turn against each other and nothing holds B off their line of two.
     """
-    _, strata = answered("five_bar")
+    _, strata = with_strata("five_bar")
     wanted = {Member("limb", "limb_2", 0), Member("actuation", "", 0)}
     line, point = (s for s in strata.strata if set(s.members) == wanted)
     assert line.codimension == point.codimension == 2
@@ -164,7 +158,7 @@ def test_two_sets_on_which_the_same_conditions_hold() -> None:
 
 def test_parallel_legs_of_the_flat_platform_of_tsai() -> None:
     """Legs in the plane of the base: the state is the same at all such postures."""
-    _, strata = answered("3upu_tsai")
+    _, strata = with_strata("3upu_tsai")
     (flat,) = (s for s in strata.strata if s.equations == ("z",))
     assert flat.holds == "everywhere"
     mechanism = sk.load("3upu_tsai").mechanism
@@ -182,7 +176,7 @@ def test_parallel_legs_of_the_flat_platform_of_tsai() -> None:
 )
 def test_what_is_everywhere_does_not_change_and_generally_does(name: str) -> None:
     """Another state on a stratum inside shows that a state is not everywhere."""
-    _, strata = answered(name, 3)
+    _, strata = with_strata(name, 3)
     for one in strata.strata:
         for inner in strata.strata:
             inside = set(one.members) < set(inner.members)
@@ -195,7 +189,7 @@ def test_what_is_everywhere_does_not_change_and_generally_does(name: str) -> Non
 )
 def test_every_pair_that_meets_is_listed(name: str) -> None:
     """Common zeros of two components are looked for in numbers, by least squares."""
-    _, strata = answered(name)
+    _, strata = with_strata(name)
     alone = [s for s in strata.strata if s.codimension <= 2 and not s.around]
     mechanism = sk.load(name).mechanism
     start = Posed(mechanism).values
@@ -240,14 +234,14 @@ def described(strata: Strata) -> set[tuple[frozenset[Member], int]]:
 
 @pytest.mark.xdist_group("strata of isoglide4_t3r1")
 def test_three_at_once_add_to_two_at_once() -> None:
-    _, two = answered("isoglide4_t3r1", 2)
-    _, three = answered("isoglide4_t3r1", 3)
+    _, two = with_strata("isoglide4_t3r1", 2)
+    _, three = with_strata("isoglide4_t3r1", 3)
     assert described(two) < described(three)
     assert (two.together, three.together) == (2, 3)
 
 
 def test_one_at_once_is_the_components_themselves() -> None:
-    answer, strata = answered("five_bar", 1)
+    answer, strata = with_strata("five_bar", 1)
     assert all(s.itself for s in strata.strata)
     components = sum(len(x.components) for x in answer.limb)
     components += len(answer.constraint.components)
@@ -257,14 +251,14 @@ def test_one_at_once_is_the_components_themselves() -> None:
 
 
 def test_the_answer_goes_to_json_and_back() -> None:
-    answer, strata = answered("3prs")
+    answer, strata = with_strata("3prs")
     again = from_json(to_json(answer))
     assert isinstance(again, Singularities)
     assert again.strata == strata
 
 
 def test_the_text_says_what_is_new_and_how_far_it_looked() -> None:
-    answer, _ = answered("nao_t14")
+    answer, _ = with_strata("nao_t14")
     text = str(answer)
     assert "TOGETHER   where several of these conditions hold at once" in text
     assert "up to 2 conditions, codimension up to 4" in text
@@ -273,7 +267,7 @@ def test_the_text_says_what_is_new_and_how_far_it_looked() -> None:
 
 
 def test_a_mechanism_without_conditions_has_none_together() -> None:
-    answer, strata = answered("lone_body")
+    answer, strata = with_strata("lone_body")
     assert strata.strata == ()
     assert "no two of them meet" in str(answer)
 
@@ -321,11 +315,11 @@ def test_a_translation_that_some_postures_have_is_not_everywhere(
 
 
 def test_what_is_left_open_is_told_and_makes_the_answer_undecided() -> None:
-    answer, strata = answered("3prs")
+    answer, strata = with_strata("3prs")
     assert not strata.complete
     assert "too long to be intersected" in strata.reason
     assert strata.reason in " ".join(str(answer).split())
-    whole, met = answered("five_bar")
+    whole, met = with_strata("five_bar")
     assert met.complete
     assert is_plain_yes(whole)
     opened = replace(met, complete=False, reason="something is open")
@@ -418,7 +412,7 @@ def flagged(strata: Strata) -> list[Stratum]:
 
 
 def test_a_flag_is_raised_where_and_only_where_numbers_differ() -> None:
-    _, strata = answered("3prs")
+    _, strata = with_strata("3prs")
     assert flagged(strata)
     for one in strata.strata:
         if one.expected is None:

@@ -8,6 +8,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from one_answer import with_strata
 
 import screwkit
 from screwkit.case import load_text
@@ -16,7 +17,7 @@ from screwkit.certificates.roots import NotProvedError
 from screwkit.certificates.texts import RefusedError
 from screwkit.certificates.written import from_text
 from screwkit.results.singularities import Singularities
-from screwkit.verification import certified_answer
+from screwkit.verification import certificate_of, certified_answer
 
 ARM = """
 screwkit: 1
@@ -162,3 +163,23 @@ def test_of_a_very_long_list_no_component_is_listed(
     assert not limb.complete
     assert not limb.certified
     assert limb.uncertified == "of more than 1 components none is listed; there are 2"
+
+
+@pytest.mark.xdist_group("strata of isoglide4_t3r1")
+def test_many_limbs_are_certified_by_what_ranks_they_keep() -> None:
+    """The list of Isoglide4's constraints; nothing inside another, but beside it."""
+    answer, _ = with_strata("isoglide4_t3r1")
+    case = screwkit.load("isoglide4_t3r1")
+    certificate = certificate_of(case, replace(answer, strata=None))
+    constraint = certificate.parts[4]
+    assert constraint.question == "constraint"
+    assert constraint.proof is not None
+    floors = [own for part in certificate.parts for own in part.floors]
+    # Two of a limb's parallel axes are l apart: it loses one freedom at most.
+    assert {(own.rank, own.loci) for own in floors} == {(4, ()), (3, ())}
+    *_, found, _ = check(certificate, case.mechanism, 11)
+    assert not found.sampled_components
+    without = replace(certificate.parts[0], floors=())
+    parts = (without, *certificate.parts[1:])
+    with pytest.raises(RefusedError, match="no part proves rank 4 of limb limb1"):
+        check(replace(certificate, parts=parts), case.mechanism, 11)
