@@ -300,6 +300,24 @@ def test_a_sum_that_touches_zero_has_few_real_zeros() -> None:
     assert restricted(Branch(ring, POSITIVE), never) == []
 
 
+@pytest.mark.parametrize(
+    ("text", "never"),
+    [
+        ("3 + sin(p)*sin(q)", True),
+        ("a - 3*b - 2*a + b*sin(p)*sin(q)*cos(r)", True),
+        ("3*a - b + a*sin(p)*sin(q)", False),
+        # For sin p = ±1 they are between ±√2: 1.40 < √2 < 1.42.
+        ("71/50 + sin(p)*sin(q) + cos(q)", True),
+        ("7/5 + sin(p)*sin(q) + cos(q)", False),
+        ("x + 3 + sin(p)*sin(q)", False),
+    ],
+)
+def test_what_sines_cannot_outweigh_is_zero_nowhere(text: str, never: bool) -> None:
+    ring, (polynomial,) = in_one_ring(text)
+    found = vanishing_together(ring, POSITIVE, polynomial)
+    assert found == ([ring.one] if never else None)
+
+
 def test_many_angles_are_not_multiplied_out() -> None:
     """Ten squares of cosines made homogeneous have millions of terms.
 
