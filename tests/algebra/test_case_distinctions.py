@@ -24,7 +24,7 @@ from screwkit.algebra.substitution import reduced
 from screwkit.algebra.taken_apart import taken_apart
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 from screwkit.analyses.singularities import limb_singularities
-from screwkit.case import load
+from screwkit.case import load, load_text
 from screwkit.kinematics.assembly import Assembly
 
 POSITIVE = Assumptions(frozenset({"a", "b"}))
@@ -472,3 +472,34 @@ def test_a_half_angle_is_not_solved_again_where_its_divisor_is_asked() -> None:
     )
     assert found.complete
     assert found.branches
+
+
+STRUT = """
+screwkit: 1
+name: strut
+geometry: posture
+base: base
+platform: platform
+links: [base, platform, low, high]
+variables: {y: 1/5, z: 2, p: {value: 0, angle: true}}
+pose: {translation: [0, y, z], rotation: {axis: z, angle: p}}
+points:
+  A: [0, 1, 0]
+  B: {link: platform, at: [-1, 1, 0]}
+joints:
+  - {name: T, type: spherical, parent: base, child: low, point: A}
+  - {name: P, type: prismatic, parent: low, child: high, axis: B - A}
+  - {name: S, type: spherical, parent: high, child: platform, point: B}
+"""
+
+
+def test_a_strut_has_a_length_where_an_angle_is_fixed_by_a_root() -> None:
+    """Where sin p = −cos p, z = 0 and y = 1 − 2 cos p = 1 ± √2, both ends coincide.
+
+    There is no such strut. A strut with a length has all six freedoms.
+    """
+    limbs = Assembly(load_text(STRUT).mechanism)
+    limb = limb_singularities(limbs, limbs.limbs[0])
+    assert limb.generic_rank == 6
+    assert limb.complete
+    assert not limb.components
