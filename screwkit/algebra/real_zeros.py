@@ -53,7 +53,8 @@ def vanishing_together(
     for written in (polynomial, _homogeneous(ring, polynomial)):
         if len(written) > 1 and assumptions.has_one_sign(ring, written):
             return [_radical(ring, m) for m in _monomials(ring, written)]
-    if _sign_of_the_rest(ring, assumptions, polynomial):
+    several = len(unknowns(ring, polynomial)) > 1  # one alone is solved, or is none
+    if several and _sign_of_the_rest(ring, assumptions, polynomial):
         return [ring.one]
     return (
         _extremal(ring, polynomial)
