@@ -23,6 +23,11 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 FACTORED = 40
 """Terms of a polynomial up to which factoring finds such factors just as soon."""
 
+POWERS = 3
+"""Of a coordinate that a condition may divide."""
+
+_SHORT = 6  # terms of such a coordinate
+
 _KNOWN: Final = RememberedColumns[TrigonometricRing, list[Polynomial]]()
 
 
@@ -94,10 +99,23 @@ def loses_a_direction(branch: Branch) -> bool:
     for vector in branch.directions:
         if any(residue(x, *point) for x in vector for point in branch.points):
             continue
-        if all(
-            x == 0 or any(divisor.divide(x) is not None for divisor in divisors)
-            for x in branch.column(vector)
-        ):
+        if all(_vanishes(branch, x, divisors) for x in branch.column(vector)):
+            return True
+    return False
+
+
+def _vanishes(
+    branch: Branch, polynomial: Polynomial, divisors: Sequence[Divisor]
+) -> bool:
+    """Whether a condition divides a polynomial, or a power of one that is short.
+
+    Where sin p = cos p the cube of x − 2 cos p is linear in cos p, and is not factored.
+    """
+    power = polynomial
+    for exponent in range(1, 1 + (POWERS if len(polynomial) <= _SHORT else 1)):
+        if exponent > 1:
+            power = branch.value(power * polynomial)
+        if power == 0 or any(own.divide(power) is not None for own in divisors):
             return True
     return False
 

@@ -2,9 +2,10 @@
 
 A polynomial whose terms all have one sign is zero only where all of them are.  Which
 terms a trigonometric polynomial has depends on how 1 = s² + c² is used, so it is made
-homogeneous in the angles too.  1 − cos p·cos q is another such polynomial, and
-a·sin φ + b·cos φ + e where e² − a² − b² is a square, and what is quadratic in a symbol
-may be two squares (`completed_squares`).
+homogeneous in the angles too.  3 + cos p·cos q is zero nowhere, as cosines are at
+most 1; 1 − cos p·cos q keeps its sign, and a·sin φ + b·cos φ + e where e² − a² − b² is
+a square or positive, and what is quadratic in a symbol may be two squares
+(`completed_squares`).
 """
 
 from __future__ import annotations
@@ -14,7 +15,9 @@ from typing import Any
 
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.completed_squares import completed_square
+from screwkit.algebra.no_real_angle import never_met
 from screwkit.algebra.points import branch_primes, random_point, residue
+from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.remembered import remembered
 from screwkit.algebra.solved_text import root_of_square
 from screwkit.algebra.substitution import angle_parts
@@ -50,19 +53,50 @@ def vanishing_together(
     for written in (polynomial, _homogeneous(ring, polynomial)):
         if len(written) > 1 and assumptions.has_one_sign(ring, written):
             return [_radical(ring, m) for m in _monomials(ring, written)]
+    several = len(unknowns(ring, polynomial)) > 1  # one alone is solved, or is none
+    if several and _sign_of_the_rest(ring, assumptions, polynomial):
+        return [ring.one]
     return (
         _extremal(ring, polynomial)
-        or _touching(ring, polynomial)
+        or _touching(ring, assumptions, polynomial)
         or completed_square(ring, assumptions, polynomial)
     )
 
 
+def _sign_of_the_rest(
+    ring: TrigonometricRing, assumptions: Assumptions, polynomial: Polynomial
+) -> int:
+    """The sign of the terms without angles if they outweigh all others, or else 0.
+
+    Sines and cosines are at most 1: 3·a + b + a·sin p·sin q is positive for lengths.
+    """
+    angles = range(len(ring.basis))
+    places = {*map(ring.sine_index, angles), *map(ring.cosine_index, angles)}
+    parts: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
+    for exponents, coefficient in polynomial.to_dict().items():
+        turning = tuple(int(e) for i, e in enumerate(exponents) if i in places)
+        rest = tuple(0 if i in places else int(e) for i, e in enumerate(exponents))
+        parts.setdefault(turning, {})[rest] = coefficient
+    still = parts.pop((0,) * len(places), None)
+    if still is None or not parts:
+        return 0
+    left, signs = ring.zero, []
+    for sign, part in ((1, still), *((-1, part) for part in parts.values())):
+        size = ring.context.from_dict(part)
+        own = assumptions.sign_of(ring, size)
+        if not own:
+            return 0
+        signs.append(own)
+        left += sign * own * size
+    return signs[0] if assumptions.sign_of(ring, left) == 1 else 0
+
+
 def _touching(
-    ring: TrigonometricRing, polynomial: Polynomial
+    ring: TrigonometricRing, assumptions: Assumptions, polynomial: Polynomial
 ) -> list[Polynomial] | None:
     """Of a·sin φ + b·cos φ + e with e² − a² − b² a square: this, and the polynomial.
 
-    A real angle needs e² ≤ a² + b².
+    A real angle needs e² ≤ a² + b²; none is where the terms say that this never holds.
     """
     for angle in range(len(ring.basis)):
         parts = angle_parts(ring, polynomial, angle)
@@ -72,6 +106,8 @@ def _touching(
             continue  # an angle in numbers is solved, or is none
         a, b, e = parts
         beyond = ring.normal(e * e - a * a - b * b)
+        if _is_positive(ring, assumptions, beyond):
+            return [ring.one]
         if beyond == 0 or not _may_be_square(ring, beyond):
             continue
         for written in (beyond, _homogeneous(ring, beyond)):
@@ -83,6 +119,21 @@ def _touching(
                     number = _is_number(ring, root)
                     return [ring.one] if number else [root, polynomial]
     return None
+
+
+def _is_positive(
+    ring: TrigonometricRing, assumptions: Assumptions, polynomial: Polynomial
+) -> bool:
+    """Whether a proof was found: by sizes, or in one angle without a zero."""
+    if _sign_of_the_rest(ring, assumptions, polynomial) == 1:
+        return True
+    own = unknowns(ring, polynomial)
+    if [kind for kind, _ in own] != ["angle"] or not never_met(ring, [polynomial]):
+        return False
+    angle = own[0][1]
+    gens = list(ring.context.gens())
+    gens[ring.sine_index(angle)], gens[ring.cosine_index(angle)] = ring.zero, ring.one
+    return assumptions.sign_of(ring, polynomial.compose(*gens)) == 1
 
 
 def _may_be_square(ring: TrigonometricRing, polynomial: Polynomial) -> bool:

@@ -20,6 +20,7 @@ from screwkit.algebra.no_real_angle import never_met
 from screwkit.algebra.over_roots import square_roots
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.polynomial_text import text
+from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.substitution import Substitution, reduced, substituted
 from screwkit.algebra.trigonometric import Polynomial, primitive
@@ -263,13 +264,13 @@ class Conditions:
         return [(own, power) for own, power in found.values() if power]
 
     def positive(self, branch: Branch, own: Factor) -> bool:
-        """Whether a factor vanishes nowhere, by signs of its terms or in numbers."""
+        """Whether a factor vanishes nowhere, by its terms or in numbers."""
         ring, first = branch.ring, own.equations[0]
-        if not branch.assumptions.is_nonzero(ring, first) and not never_met(
-            ring, [first]
-        ):
-            return False
-        return self.problem.signs.never_zero(read(text(branch.ring, own.equations[0])))
+        return (
+            branch.assumptions.is_nonzero(ring, first)
+            or never_met(ring, [first])
+            or vanishing_together(ring, branch.assumptions, first) == [ring.one]
+        ) and self.problem.signs.never_zero(read(text(ring, first)))
 
     def elsewhere(self, branch: Branch, own: Factor) -> bool:
         """Whether an angle that was solved in numbers is no zero of a factor in it."""

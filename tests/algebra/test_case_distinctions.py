@@ -24,7 +24,7 @@ from screwkit.algebra.substitution import reduced
 from screwkit.algebra.taken_apart import taken_apart
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 from screwkit.analyses.singularities import limb_singularities
-from screwkit.case import load
+from screwkit.case import load, load_text
 from screwkit.kinematics.assembly import Assembly
 
 POSITIVE = Assumptions(frozenset({"a", "b"}))
@@ -300,6 +300,24 @@ def test_a_sum_that_touches_zero_has_few_real_zeros() -> None:
     assert restricted(Branch(ring, POSITIVE), never) == []
 
 
+@pytest.mark.parametrize(
+    ("text", "never"),
+    [
+        ("3 + sin(p)*sin(q)", True),
+        ("a - 3*b - 2*a + b*sin(p)*sin(q)*cos(r)", True),
+        ("3*a - b + a*sin(p)*sin(q)", False),
+        # For sin p = ±1 they are between ±√2: 1.40 < √2 < 1.42.
+        ("71/50 + sin(p)*sin(q) + cos(q)", True),
+        ("7/5 + sin(p)*sin(q) + cos(q)", False),
+        ("x + 3 + sin(p)*sin(q)", False),
+    ],
+)
+def test_what_sines_cannot_outweigh_is_zero_nowhere(text: str, never: bool) -> None:
+    ring, (polynomial,) = in_one_ring(text)
+    found = vanishing_together(ring, POSITIVE, polynomial)
+    assert found == ([ring.one] if never else None)
+
+
 def test_many_angles_are_not_multiplied_out() -> None:
     """Ten squares of cosines made homogeneous have millions of terms.
 
@@ -454,3 +472,34 @@ def test_a_half_angle_is_not_solved_again_where_its_divisor_is_asked() -> None:
     )
     assert found.complete
     assert found.branches
+
+
+STRUT = """
+screwkit: 1
+name: strut
+geometry: posture
+base: base
+platform: platform
+links: [base, platform, low, high]
+variables: {y: 1/5, z: 2, p: {value: 0, angle: true}}
+pose: {translation: [0, y, z], rotation: {axis: z, angle: p}}
+points:
+  A: [0, 1, 0]
+  B: {link: platform, at: [-1, 1, 0]}
+joints:
+  - {name: T, type: spherical, parent: base, child: low, point: A}
+  - {name: P, type: prismatic, parent: low, child: high, axis: B - A}
+  - {name: S, type: spherical, parent: high, child: platform, point: B}
+"""
+
+
+def test_a_strut_has_a_length_where_an_angle_is_fixed_by_a_root() -> None:
+    """Where sin p = −cos p, z = 0 and y = 1 − 2 cos p = 1 ± √2, both ends coincide.
+
+    There is no such strut. A strut with a length has all six freedoms.
+    """
+    limbs = Assembly(load_text(STRUT).mechanism)
+    limb = limb_singularities(limbs, limbs.limbs[0])
+    assert limb.generic_rank == 6
+    assert limb.complete
+    assert not limb.components

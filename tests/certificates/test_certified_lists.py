@@ -183,3 +183,36 @@ def test_many_limbs_are_certified_by_what_ranks_they_keep() -> None:
     parts = (without, *certificate.parts[1:])
     with pytest.raises(RefusedError, match="no part proves rank 4 of limb limb1"):
         check(replace(certificate, parts=parts), case.mechanism, 11)
+
+
+UPRIGHT = """
+screwkit: 1
+name: upright
+geometry: posture
+base: base
+platform: platform
+links: [base, platform, slider, rod]
+variables: {p: {value: 1/5, angle: true}, q: {value: 0, angle: true}}
+pose: {translation: [0, 0, 2], rotation: {euler: yxy, angles: [p, q, 0]}}
+points:
+  A: [3, -1, 0]
+  B: {link: platform, at: [0, -1, 0]}
+vectors: {i: [1, 0, 0], w: "cross(i, B - A)"}
+joints:
+  - {name: P, type: prismatic, parent: base, child: slider, axis: i, point: A}
+  - {name: U, type: universal, parent: slider, child: rod, axes: [i, w], point: A}
+  - {name: S, type: spherical, parent: rod, child: platform, point: B}
+"""
+
+
+def test_a_rod_that_cannot_stand_across_its_slide_is_never_singular(
+    tmp_path: Path,
+) -> None:
+    """The ball stands at −sin p sin q along the slide, the slider at 3."""
+    file = tmp_path / "upright.yaml"
+    file.write_text(UPRIGHT, "utf-8")
+    (limb,) = screwkit.singularities(screwkit.load(file), certificate=True).limb
+    assert limb.generic_rank == 6
+    assert limb.complete
+    assert limb.certified
+    assert not limb.components

@@ -26,6 +26,10 @@ SIGNS = Signs({"a", "b"}, {"a", "b", "c"})
         "cos(pi/5)*a",
         "x^2 - x + 2",
         "a*x^4 - a*x + a",
+        "3 + sin(p)*sin(q)",
+        "3*a + b + a*sin(p)*sin(q)",
+        "-3*c + c*sin(p)^2*cos(q) - c*cos(p)",
+        "3/2 + sin(p)*sin(q) + cos(q)",  # −√2 at least, of what follows 3/2
     ],
 )
 def test_never_zero(text: str) -> None:
@@ -54,6 +58,11 @@ def test_never_zero(text: str) -> None:
         "x^3 - x + 7",
         "x^2 - x*y + 2",
         "x^50 - x + 2",
+        "1 + sin(p)*sin(q)",
+        "3*a - b + a*sin(p)*sin(q)",
+        "c + 3*a + c*sin(q)",
+        "7/5 + sin(p)*sin(q) + cos(q)",
+        "3 + x*sin(q)",
     ],
 )
 def test_no_proof_where_it_may_vanish_or_is_not_plain(text: str) -> None:
