@@ -6,7 +6,7 @@ Everything is answered in a form that a certificate can state.
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
@@ -219,22 +219,20 @@ class Conditions:
 
     def in_divisor(self, branch: Branch, own: Factor) -> Multiple | None:
         """The divisor of a step that a factor divides, which vanishes nowhere."""
-        if len(own.equations) > 1:
-            return None
-        for number, step in enumerate(branch.steps):
-            if step.divisor.is_constant():
-                continue
-            (value,), over = followed(branch, [step.divisor])
-            times = None if value == 0 else self.quotient(value, own.equations[0])
-            if times is not None:
-                return Multiple(number, -1, text(branch.ring, times), over)
-        return None
+        steps = enumerate(branch.steps)
+        divisors = ((k, s.divisor) for k, s in steps if not s.divisor.is_constant())
+        return self._divides(branch, own, divisors)
 
     def undefined(self, branch: Branch, own: Factor) -> Multiple | None:
         """The divisor of the geometry that a factor divides: no posture is there."""
-        if len(own.equations) > 1:
-            return None
-        for number, divisor in self.problem.root.ring.geometry_divisors.items():
+        divisors = self.problem.root.ring.geometry_divisors.items()
+        return self._divides(branch, own, divisors)
+
+    def _divides(
+        self, branch: Branch, own: Factor, divisors: Iterable[tuple[int, Polynomial]]
+    ) -> Multiple | None:
+        """The first of some divisors, by number, that a factor divides on a branch."""
+        for number, divisor in divisors if len(own.equations) < 2 else ():
             (value,), over = followed(branch, [divisor])
             times = None if value == 0 else self.quotient(value, own.equations[0])
             if times is not None:
