@@ -23,7 +23,7 @@ from screwkit.certificates.checking import checked
 from screwkit.certificates.conditions import Problem
 from screwkit.certificates.covered_components import with_covers
 from screwkit.certificates.derivation import proof_of
-from screwkit.certificates.floors import floors_of, without_idle_floors
+from screwkit.certificates.floors import LimbPart, without_idle_floors
 from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.real_postures import RealPostures, sides_of
 from screwkit.certificates.records import (
@@ -70,12 +70,12 @@ def certified(
         version: Of the package.
         progress: Told about each part.
     """
+    limbs: list[LimbPart] = []
     parts: list[Part] = []
     for limb, own in zip(assembly.limbs, answer.limb, strict=True):
         progress("certificate", f"limb {limb.name}")
         derivation = PartDerivation(of_limb(assembly, limb))
-        parts.append(derivation.with_floors(derivation.limb(own)))
-    limbs = tuple(parts)
+        limbs.append(derivation.with_floors(derivation.limb(own)))
     if len(assembly.limbs) > 1:
         progress("certificate", "constraint")
         derivation = PartDerivation(of_loops(assembly, (), limbs))
@@ -85,8 +85,10 @@ def certified(
         progress("certificate", "actuation")
         derivation = PartDerivation(of_loops(assembly, actuation.actuated, limbs))
         parts.append(derivation.actuation(actuation))
-    found = Certificate(SCHEMA, answer.case, version, mechanism, tuple(parts))
-    return without_idle_floors(found)
+    whole = (*(limb.told for limb in limbs), *parts)
+    return without_idle_floors(
+        Certificate(SCHEMA, answer.case, version, mechanism, whole)
+    )
 
 
 def certified_graph(
@@ -152,10 +154,9 @@ class PartDerivation:
         """The part about a limb."""
         return self._part("limb", own.components, complete=own.complete, limb=own.limb)
 
-    def with_floors(self, part: Part) -> Part:
-        """The part about a limb with what its rank is where it is lower."""
-        problem = self._problem((), part.question)
-        return replace(part, floors=floors_of(problem, part.rank))
+    def with_floors(self, part: Part) -> LimbPart:
+        """The part about a limb, of which it may be asked what rank it keeps where."""
+        return LimbPart(part, self._problem((), part.question))
 
     def constraint(self, own: ConstraintSingularities) -> Part:
         """The part about the constraints of the loops."""
@@ -232,7 +233,7 @@ class PartDerivation:
 
     def _examined(self, part: Part) -> Part:
         """The part, if the checker takes it, with what it was not shown."""
-        parts = self._subject.parts
+        parts = tuple(limb.told for limb in self._subject.parts)
         found = checked(self._subject.mechanism, part, "written", parts)
         left = len(found.sampled_components)
         if not left:

@@ -76,14 +76,12 @@ class ProofSearch(SheetNodes):
 
     Attributes:
         rank: Of the matrix in general.
-        asks_limbs: Whether limbs are asked before minors of the whole matrix.
         late: Whether sums that leave more than one case unsolved come after minors.
         trials: Asks whether sheets lie on components; None: it is not tried.
         source: Of the choice of minors.
     """
 
     rank: int
-    asks_limbs: bool = False
     late: bool = False
     trials: SheetTrials | None = None
     source: random.Random = field(default_factory=lambda: random.Random(5))
@@ -331,6 +329,6 @@ def proof_of(
     start = with_conditions(problem.root, problem.demands)
     longest = LONGEST_OF_LATE if late else LONGEST
     search = ProofSearch(
-        problem, rank, asks_limbs, late, trials=trials, longest=longest
+        problem, rank, late, trials=trials, longest=longest, asks_limbs=asks_limbs
     )
     return search.node(Place(start, problem.demands))

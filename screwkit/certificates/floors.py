@@ -24,6 +24,7 @@ from screwkit.certificates.records import (
     Certificate,
     Floor,
     Node,
+    Part,
     Unsolved,
 )
 from screwkit.certificates.roots import NotProvedError
@@ -123,6 +124,41 @@ def floors_of(problem: Problem, rank: int) -> tuple[Floor, ...]:
         )
         found.append(Floor(size, loci, proof))
     return tuple(found)
+
+
+class LimbPart:
+    """A part about a limb; its floors are looked for when they are asked for.
+
+    Args:
+        part: Without floors.
+        problem: Of the limb's own twists.
+    """
+
+    def __init__(self, part: Part, problem: Problem) -> None:
+        self._part, self._problem = part, problem
+        self._floors: tuple[Floor, ...] | None = None
+
+    @property
+    def told(self) -> Part:
+        """The part, with its floors if anything asked for them."""
+        return replace(self._part, floors=self._floors or ())
+
+    @property
+    def floors(self) -> tuple[Floor, ...]:
+        """What is proved of the limb where it is singular."""
+        if self._floors is None:
+            self._floors = floors_of(self._problem, self._part.rank)
+        return self._floors
+
+    def below(self, rank: int) -> tuple[tuple[str, ...], ...] | None:
+        """Where the limb has a lower rank; None where that is not proved."""
+        part = self._part
+        if rank < part.rank:
+            found = (floor.loci for floor in self.floors if floor.rank == rank)
+            return next(found, None)
+        if rank > part.rank or part.proof is None:
+            return None
+        return tuple(locus.equations for locus in part.components)
 
 
 def without_idle_floors(certificate: Certificate) -> Certificate:

@@ -167,7 +167,7 @@ class _Limbs:
                 parts.append((claim.minor, 1))
                 over = added(over, claim.over)
             by_part = claim is not None and claim.minor is None
-            fallen.append(limb.system.floors[limb.rank] if by_part else ())
+            fallen.append((limb.system.below(limb.rank) or ()) if by_part else ())
             said.append(_with_wrenches(own, limb, given))
         return Offer(
             tuple(parts), replace(node, limbs=tuple(said), over=over), tuple(fallen)

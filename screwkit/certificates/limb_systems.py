@@ -6,7 +6,7 @@ References: [LongCaroKhalil2012] (4)-(9), (26).
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -39,14 +39,14 @@ class LimbSystem:
         name: Of the limb.
         labels: Its freedoms that are not locked.
         columns: Their twists.
-        floors: By rank: where the limb's is lower, if that is proved; none where joints
-            are locked.
+        below: By rank: where the limb's is lower; None where that is not proved, or
+            joints are locked.
     """
 
     name: str
     labels: tuple[str, ...]
     columns: tuple[tuple[Polynomial, ...], ...]
-    floors: Mapping[int, Loci]
+    below: Callable[[int], Loci | None]
 
 
 @dataclass(frozen=True)
@@ -114,7 +114,7 @@ class LimbHere:
     @property
     def is_known(self) -> bool:
         """Whether the limb's own part says where its rank is less than here."""
-        return self.rank in self.system.floors
+        return self.system.below(self.rank) is not None
 
     def wrenches(self, library: FactorLibrary, shown: Shown) -> list[Wrench]:
         """Covectors that annihilate its twists, and span all that do at the point.

@@ -45,8 +45,8 @@ class Choice:
     fallen: list[list[Option]]
 
 
-def _size(option: Option) -> int:
-    """What is left to be done: Bézout's number of the unsolved conditions."""
+def _degree(option: Option) -> int:
+    """Bézout's number of the unsolved conditions."""
     return prod(own.value.total_degree() for own in option.place.branch.pending)
 
 
@@ -56,9 +56,12 @@ class OfferChoice(Endings):
 
     Attributes:
         longest: Terms of a minor that is factored.
+        asks_limbs: Whether limbs are asked before minors of the whole matrix.  Their
+            products are short, and differ in degrees more than in length.
     """
 
     longest: int = field(default=LONGEST, kw_only=True)
+    asks_limbs: bool = field(default=False, kw_only=True)
 
     def chosen(self, place: Place, offers: Iterable[Offer]) -> Choice:
         """The offer that leaves the fewest cases.
@@ -100,13 +103,9 @@ class OfferChoice(Endings):
                 reason = str(error)
                 continue
             fallen = [[self.where(place, e) for e in own] for own in offer.fallen]
-            left = [
-                _size(option)
-                for own in (*options, *fallen)
-                for option in own
-                if self.is_open(option)
-            ]
-            cost = max(left, default=0), sum(left), order
+            every = (option for own in (*options, *fallen) for option in own)
+            left = [option for option in every if self.is_open(option)]
+            cost = *self._cost(left), order
             if best is None or cost < best[0]:
                 best = cost, Choice(offer, factors, options, fallen)
             if not left:
@@ -114,6 +113,13 @@ class OfferChoice(Endings):
         if best is None:
             raise NotProvedError(reason)
         return best[1]
+
+    def _cost(self, left: Sequence[Option]) -> tuple[int, int]:
+        """Of what is to be done; of limbs the hardest case first."""
+        if self.asks_limbs:
+            degrees = [_degree(option) for option in left]
+            return max(degrees, default=0), sum(degrees)
+        return 0, sum(1 + 4 * len(option.place.branch.pending) for option in left)
 
     def options(
         self,

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.evaluation import evaluate
 from screwkit.algebra.factor_library import FactorLibrary
-from screwkit.certificates.limb_systems import LimbSystem
+from screwkit.certificates.floors import LimbPart
+from screwkit.certificates.limb_systems import LimbSystem, Loci
 from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.minor_choice import Matrix
-from screwkit.certificates.records import Part
 from screwkit.certificates.texts import read
 from screwkit.kinematics.assembly import Assembly, LimbChain
 from screwkit.kinematics.frames import FramedTwists
@@ -40,7 +41,7 @@ class Subject:
     chain: tuple[str, ...]
     form: str = ""
     limbs: tuple[LimbSystem, ...] = ()
-    parts: tuple[Part, ...] = ()
+    parts: tuple[LimbPart, ...] = ()
 
 
 def of_limb(assembly: Assembly, limb: LimbChain) -> Subject:
@@ -56,7 +57,7 @@ def of_limb(assembly: Assembly, limb: LimbChain) -> Subject:
 
 
 def of_loops(
-    assembly: Assembly, locked: Sequence[str], limbs: Sequence[Part]
+    assembly: Assembly, locked: Sequence[str], limbs: Sequence[LimbPart]
 ) -> Subject:
     """Of the loops that limbs close.
 
@@ -82,22 +83,24 @@ def of_loops(
 
 
 def _system(
-    assembly: Assembly, limb: LimbChain, locked: Sequence[str], part: Part
+    assembly: Assembly, limb: LimbChain, locked: Sequence[str], part: LimbPart
 ) -> LimbSystem:
     """A limb in the frame of all, with what its own part proves."""
     framed = assembly.common_twists
     labels = tuple(joint for joint in limb.joints if joint not in locked)
-    known: dict[int, Iterable[tuple[str, ...]]] = {}
-    if len(labels) == len(limb.joints):
-        known = {floor.rank: floor.loci for floor in part.floors}
-        if part.proof is not None:
-            known[part.rank] = (locus.equations for locus in part.components)
-    floors = {
-        rank: tuple(tuple(evaluate(read(e), framed.ring) for e in own) for own in loci)
-        for rank, loci in known.items()
-    }
+
+    @cache
+    def below(rank: int) -> Loci | None:
+        loci = part.below(rank) if len(labels) == len(limb.joints) else None
+        if loci is None:
+            return None
+        return tuple(
+            tuple(evaluate(read(e), framed.ring) for e in equations)
+            for equations in loci
+        )
+
     columns = tuple(tuple(framed.column(joint)) for joint in labels)
-    return LimbSystem(limb.name, labels, columns, floors)
+    return LimbSystem(limb.name, labels, columns, below)
 
 
 def _subject(
