@@ -57,7 +57,8 @@ class OfferChoice(Endings):
     Attributes:
         longest: Terms of a minor that is factored.
         asks_limbs: Whether limbs are asked before minors of the whole matrix.  Their
-            products are short, and differ in degrees more than in length.
+            products are short and often the same; they differ in degrees more than in
+            length.
     """
 
     longest: int = field(default=LONGEST, kw_only=True)
@@ -82,7 +83,7 @@ class OfferChoice(Endings):
                     frozenset(f.key for f, _ in factors),
                     sum(map(len, offer.fallen)),
                 )
-                if alike in met:
+                if self.asks_limbs and alike in met:
                     continue  # as good as one before
                 met.add(alike)
                 open_ones = [f for f, _ in factors if not self.positive(branch, f)]
