@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import islice
@@ -258,8 +257,11 @@ class ProofSearch(SheetNodes):
             offers = limb_offers(
                 problem.limbs, branch, at, library, wanted, source, shown
             )
-            with suppress(NotProvedError):
-                return self.said(place, number, self.chosen(place, offers))
+            try:
+                choice = self.chosen(place, offers)
+            except NotProvedError:
+                continue
+            return self.said(place, number, choice)
         return None
 
     def off_the_locus(self, branch: Branch) -> Iterator[tuple[Point, int]]:

@@ -11,9 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, combinations, islice
 
-from screwkit.algebra.branches import Branch
 from screwkit.algebra.polynomial_text import text
-from screwkit.algebra.trigonometric import Polynomial
 from screwkit.certificates.conditions import Place, Problem
 from screwkit.certificates.derivation import ProofSearch
 from screwkit.certificates.minor_choice import Matrix
@@ -58,15 +56,14 @@ class FloorSearch(ProofSearch):
         if not branch.points or not all(map(self.falls, branch.points)):
             return super().by_minor(place, number)
         known = self.problem.components
-        for k, equations in enumerate((*known, _equations(branch))):
+        loci = (*known, branch.equations(()))
+        for k, equations in enumerate(loci[:MOST_LOCI]):
             multiples = self.multiples(place, equations)
-            if multiples is None:
-                continue
-            if k == len(known):
-                self.problem = replace(self.problem, components=(*known, equations))
-            if k == MOST_LOCI:
-                break
-            return Node(number, component=k, multiples=multiples)
+            if multiples is not None:
+                self.problem = replace(
+                    self.problem, components=loci[: max(k + 1, len(known))]
+                )
+                return Node(number, component=k, multiples=multiples)
         raise NotProvedError("the rank is lower on too many sets")
 
     def chosen_minor(self, place: Place) -> tuple[Choice, tuple[Unsolved, ...]]:
@@ -93,11 +90,6 @@ def _fewer(matrix: Matrix, count: int) -> Iterator[Matrix]:
     for chosen in islice(combinations(range(len(columns)), count), MOST_CHOICES):
         own = tuple(columns[k] for k in chosen), tuple(labels[k] for k in chosen)
         yield replace(matrix, limbs=own[:1], labels=own[1:])
-
-
-def _equations(branch: Branch) -> tuple[Polynomial, ...]:
-    """Of all sheets of what was solved on the way, and what was not."""
-    return branch.equations(())
 
 
 def floors_of(problem: Problem, rank: int) -> tuple[Floor, ...]:
