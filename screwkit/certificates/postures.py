@@ -201,8 +201,11 @@ class Postures:
     ) -> tuple[PointRing, PointRing]:
         for _ in range(_ATTEMPTS):
             try:
-                before = self._roots.met(self._drawn(), roots)
+                before = self._drawn()
                 before.sheet = sheet
+                for angle, turn in self._in_numbers(before, way):
+                    before = before.changed(angle, turn)
+                before = self._roots.met(before, roots)
                 there = self.moved(before, way)
                 if self._may_fail:  # where the geometry's roots exist all others do
                     self.twists(there)
@@ -262,14 +265,21 @@ class Postures:
 
     def moved(self, point: PointRing, way: Way) -> PointRing:
         """The posture of a way with the values of a point where it leaves them free."""
+        for angle, turn in self._in_numbers(point, way):
+            point = point.changed(angle, turn)
+        for step in reversed(way.steps):
+            if step.kind != "numbers":
+                point = self._stepped(point, step)
+        return point
+
+    def _in_numbers(self, point: PointRing, way: Way) -> Iterator[tuple[int, Turn]]:
+        """Angles that a way solves in numbers; what else it solves may hold them."""
         choices = point.sheet
         for step in reversed(way.steps):
             if step.kind == "numbers":
                 turn = self._numbers_turn(point, step.numbers, choices & 1)
-                point, choices = point.changed(step.angle, turn), choices >> 1
-            else:
-                point = self._stepped(point, step)
-        return point
+                yield step.angle, turn
+                choices >>= 1
 
     def excluded(self, way: Way) -> bool:
         """Whether a divisor of a way, which is 0 nowhere there, is 0 all over it.
@@ -327,13 +337,10 @@ class Postures:
         """
         directions = [*range(len(point.turns)), *point.numbers]
         ring = DualRing(point, self.declared, directions)
-        choices = point.sheet
+        for angle, turn in self._in_numbers(point, way):
+            ring.turn(angle, ring.still(turn))
         for step in reversed(way.steps):
-            if step.kind == "numbers":
-                turn = self._numbers_turn(point, step.numbers, choices & 1)
-                ring.turn(step.angle, ring.still(turn))
-                choices >>= 1
-            else:
+            if step.kind != "numbers":
                 self._follow(ring, step)
         changes = [ring.of(read(text)).changes for text in texts]
         return [

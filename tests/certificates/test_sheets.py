@@ -331,3 +331,42 @@ def test_all_sheets_of_several_equations_are_met_by_a_tree() -> None:
 def test_a_sheet_is_no_end_of_a_proof() -> None:
     with pytest.raises(RefusedError, match="nothing is said"):
         judged(TWO_LENGTHS, limb(IN_LINE, proof=Node(0, sheet=True)))
+
+
+TURNED = """
+screwkit: 1
+name: turned
+space: planar
+geometry: posture
+base: ground
+platform: tip
+links: [ground, tip]
+variables: {x: 1, y: 2, phi: {value: 0.3, angle: true}}
+pose: {translation: [x, y], rotation: {axis: z, angle: phi}}
+points: {P: {link: tip, at: [1, 0]}}
+joints:
+  - {name: "1", type: revolute, parent: ground, child: tip, point: P}
+"""
+
+
+def test_what_an_angle_in_numbers_fixes_is_solved_after_it() -> None:
+    """At sin φ = cos φ, y = cos φ and 2·x² = 2·sin φ·cos φ + 1, which is x² = 1."""
+    part = Part("limb", "ground", ({"phi": 1},), 1, (), limb="limb_1")
+    postures = Postures(load_text(TURNED).mechanism, part, random.Random(5))
+    steps = (
+        Step("numbers", angle=0, numbers=("1", "-1", "0")),
+        Step("symbol", symbol="y", value="cos(phi)"),
+    )
+    root = Unsolved("2*x^2 - 2*cos(phi)*sin(phi) - 1", symbol="x", degree=2)
+    for point in islice(postures.on(Way(steps), (root,)), 8):
+        for text in ("sin(phi) - cos(phi)", "y - sin(phi)", "x^2 - 1"):
+            assert point.value(read(text)) == 0
+    before, there = next(postures.meeting(Way(steps), (root,)))
+    assert before.value(read("2*cos(phi)^2 - 1")) == 0
+    (changes,) = [
+        row
+        for row in postures.changes(before, Way(steps), ["x", "y"])
+        if any(x != 0 for x in row)
+    ]
+    assert changes[1] == 0  # y is a number there
+    assert there.value(read("x^2 - 1")) == 0
