@@ -312,9 +312,4 @@ def _parts(
 
 
 def _nodes(node: Node) -> int:
-    below = 0
-    for case in node.cases:
-        below += sum(_nodes(sheet.node) for sheet in case.sheets)
-        below += 0 if case.kept is None else _nodes(case.kept)
-    below += sum(_nodes(fallen) for own in node.limbs for fallen in own.fallen)
-    return 1 + below
+    return 1 + sum(map(_nodes, node.below))

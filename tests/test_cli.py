@@ -16,9 +16,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from command_line import screwkit
 from reports import samples
 
-from screwkit import catalogue, cli, guard, terminal
+from screwkit import catalogue, guard, terminal
 from screwkit.errors import Fault
 from screwkit.reports.records import json_schema_of_results
 from screwkit.requests import freedoms_in
@@ -96,14 +97,6 @@ def engine(monkeypatch: pytest.MonkeyPatch) -> Answering:
     answering = Answering()
     monkeypatch.setattr(terminal, "run", answering)
     return answering
-
-
-def screwkit(*words: str) -> int:
-    with pytest.raises(SystemExit) as stop:
-        cli.main(list(words))
-    code = stop.value.code
-    assert isinstance(code, int)
-    return code
 
 
 def python(*words: str) -> subprocess.CompletedProcess[str]:

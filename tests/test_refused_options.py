@@ -8,10 +8,11 @@ import sys
 from pathlib import Path
 
 import pytest
+from command_line import screwkit
 from reports import samples
 
 import screwkit as sk
-from screwkit import cli, guard, terminal
+from screwkit import guard, terminal
 from screwkit.analyses.places import turns_of
 from screwkit.errors import (
     ExpressionError,
@@ -25,14 +26,6 @@ from screwkit.sweeps.executors import executor_of
 
 ROOT = Path(__file__).parent.parent
 CASE = "3rpr_planar"  # a2 is declared positive, a3x is not
-
-
-def screwkit(*words: str) -> int:
-    with pytest.raises(SystemExit) as stop:
-        cli.main(list(words))
-    code = stop.value.code
-    assert isinstance(code, int)
-    return code
 
 
 @pytest.mark.parametrize("memory", ["1e10", "1e300"])

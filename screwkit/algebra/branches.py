@@ -221,9 +221,9 @@ class Branch:
 
         Where conditions are pending the polynomials do not show it: exact points do.
         """
-        if not self.pending or all(value == 0 for value in values):
-            return all(value == 0 for value in values)
-        return bool(self.points) and not any(
+        if all(value == 0 for value in values):
+            return True
+        return bool(self.pending and self.points) and not any(
             residue(value, *at) for at in self.points for value in values
         )
 

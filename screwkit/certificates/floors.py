@@ -7,7 +7,7 @@ whose factors speak of coordinates and not of the limb.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import chain, combinations, islice
 
@@ -18,7 +18,6 @@ from screwkit.certificates.minor_choice import Matrix
 from screwkit.certificates.offer_choice import Choice
 from screwkit.certificates.offers import minor_offers
 from screwkit.certificates.records import (
-    Case,
     Certificate,
     Floor,
     Node,
@@ -56,13 +55,12 @@ class FloorSearch(ProofSearch):
         if not branch.points or not all(map(self.falls, branch.points)):
             return super().by_minor(place, number)
         known = self.problem.components
-        loci = (*known, branch.equations(()))
-        for k, equations in enumerate(loci[:MOST_LOCI]):
+        loci = (*known, branch.equations(()))[:MOST_LOCI]
+        for k, equations in enumerate(loci):
             multiples = self.multiples(place, equations)
             if multiples is not None:
-                self.problem = replace(
-                    self.problem, components=loci[: max(k + 1, len(known))]
-                )
+                components = known if k < len(known) else loci
+                self.problem = replace(self.problem, components=components)
                 return Node(number, component=k, multiples=multiples)
         raise NotProvedError("the rank is lower on too many sets")
 
@@ -175,11 +173,5 @@ def _rested_on(proof: Node) -> list[tuple[str, int]]:
     while waiting:
         node = waiting.pop()
         found += [(own.limb, own.rank) for own in node.limbs if not own.columns]
-        waiting += chain.from_iterable(own.fallen for own in node.limbs)
-        waiting += _below(node.cases)
+        waiting += node.below
     return found
-
-
-def _below(cases: Sequence[Case]) -> list[Node]:
-    kept = [case.kept for case in cases if case.kept is not None]
-    return [*kept, *(sheet.node for case in cases for sheet in case.sheets)]

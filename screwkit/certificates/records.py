@@ -208,6 +208,13 @@ class Node:
     over: Mapping[str, int] | None = None
     cases: tuple[Case, ...] = ()
 
+    @property
+    def below(self) -> list[Node]:
+        """What follows at once."""
+        kept = [case.kept for case in self.cases if case.kept is not None]
+        sheets = [sheet.node for case in self.cases for sheet in case.sheets]
+        return [*kept, *sheets, *(n for own in self.limbs for n in own.fallen)]
+
 
 @dataclass(frozen=True)
 class Reach:
