@@ -67,16 +67,32 @@ def completed_square(
 
 def _root(ring: TrigonometricRing, value: Polynomial) -> Polynomial | None:
     """A polynomial whose square is a positive rational multiple of the value."""
+    found = root_and_number(ring, value)
+    return None if found is None else found[0]
+
+
+def root_and_number(
+    ring: TrigonometricRing, value: Polynomial
+) -> tuple[Polynomial, Polynomial] | None:
+    """A polynomial and a positive rational number whose product, squared once, it is.
+
+    Args:
+        ring: Of the value.
+        value: Not zero; it need not be in normal form.
+
+    Returns:
+        (g, k) with k·g² equal to the value; None where it is not found to be one.
+    """
     shape = primitive(value)
     found = root_of_square(shape)
     if found is None:
         found = _scaled_root(ring, shape)
     if found is None:
         return None
-    ratio = exact_quotient(value, ring.normal(found * found))
+    ratio = exact_quotient(ring.normal(value), ring.normal(found * found))
     if ratio is None or not ratio.is_constant() or as_fraction(ratio) <= 0:
         return None
-    return found
+    return found, ratio
 
 
 def _scaled_root(ring: TrigonometricRing, value: Polynomial) -> Polynomial | None:

@@ -50,7 +50,7 @@ def vanishing_together(
     """
     if not 1 < len(polynomial) <= TERMS:
         return None
-    for written in (polynomial, _homogeneous(ring, polynomial)):
+    for written in (polynomial, homogeneous(ring, polynomial)):
         if len(written) > 1 and assumptions.has_one_sign(ring, written):
             return [_radical(ring, m) for m in _monomials(ring, written)]
     several = len(unknowns(ring, polynomial)) > 1  # one alone is solved, or is none
@@ -110,7 +110,7 @@ def _touching(
             return [ring.one]
         if beyond == 0 or not _may_be_square(ring, beyond):
             continue
-        for written in (beyond, _homogeneous(ring, beyond)):
+        for written in (beyond, homogeneous(ring, beyond)):
             shape = primitive(written)
             if written.coeffs()[0] > 0 and shape.coeffs()[0] > 0:
                 root = root_of_square(shape)
@@ -172,10 +172,10 @@ def _extremal(
     return [gens[partner[i]] for i in sorted(occurring)]
 
 
-def _homogeneous(ring: TrigonometricRing, polynomial: Polynomial) -> Polynomial:
+def homogeneous(ring: TrigonometricRing, polynomial: Polynomial) -> Polynomial:
     """Made homogeneous in each angle by s² + c² = 1, where all degrees are even or odd.
 
-    So 1 − c² becomes s².
+    So 1 − c² becomes s².  The value is no normal form.
     """
     gens = ring.context.gens()
     for angle in range(len(ring.basis)):

@@ -8,8 +8,11 @@ from dataclasses import dataclass, field, replace
 
 from screwkit.algebra.factors import Factor
 from screwkit.algebra.polynomial_text import text
+from screwkit.algebra.trigonometric import TrigonometricRing
 from screwkit.certificates.conditions import Option, Place
+from screwkit.certificates.equations_told import Square
 from screwkit.certificates.offer_choice import OfferChoice
+from screwkit.certificates.real_squares import SumOfSquares
 from screwkit.certificates.records import Case, Node, Sheet
 from screwkit.certificates.roots import NotProvedError
 from screwkit.certificates.steps import followed, numbers_of, written_step
@@ -78,7 +81,8 @@ class CaseNodes(OfferChoice, ABC):
         if self.is_of_dimensions(branch, own):
             return replace(case, end="special")
         if options[0].step is None:
-            return replace(case, kept=self.node(options[0].place))
+            told = _with_squares(case, ring, options[0].squares)
+            return replace(told, kept=self.node(options[0].place))
         sheets = list[Sheet]()
         for option in options:
             last = len(option.place.branch.steps) - 1
@@ -99,3 +103,13 @@ class CaseNodes(OfferChoice, ABC):
         if not self.problem.signs.never_zero(read(written)):
             raise NotProvedError("a condition that vanishes nowhere was not proved so")
         return Node(number, impossible=index, impossible_value=written, over=over)
+
+
+def _with_squares(
+    case: Case, ring: TrigonometricRing, found: SumOfSquares | None
+) -> Case:
+    """A case that is kept with the sum of squares that it is."""
+    if found is None:
+        return case
+    squares = (Square(text(ring, w), text(ring, base)) for w, base in found.squares)
+    return replace(case, times=text(ring, found.times), squares=tuple(squares))

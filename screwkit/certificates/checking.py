@@ -226,9 +226,9 @@ class PartCheck:
         self._met.clear()
 
     def _of_floor(self, floor: Floor) -> None:
-        """A limb that is a chain keeps a rank off some loci."""
-        if self._part.question != "limb" or self._part.form or floor.rank < 1:
-            raise RefusedError("only limbs that are chains keep a rank")
+        """A limb keeps a rank off some loci."""
+        if self._part.question != "limb" or floor.rank < 1:
+            raise RefusedError("only limbs keep a rank")
         self._finished.clear()
         self._met.clear()
         self._floor = floor
@@ -281,7 +281,7 @@ class PartCheck:
             if node.limbs:
                 self._limbs.check(node, way)
             self._products.check(node, way, self._size_of(node))
-            if self._smaller_ones and is_minor(node):
+            if self._smaller_ones and is_minor(node) and self._floor is None:
                 self.general.bounded(node, way, max(0, self.loci.freedom))
             for equations, fallen in self._limbs.fallen(node):
                 conditions = (*way.conditions, *equations)
@@ -369,7 +369,10 @@ class PartCheck:
             for sheet in case.sheets:
                 self._sheet(sheet, way)
         elif case.kept is not None:
-            conditions = (*way.conditions, *case.equations)
+            if case.squares and self._covered is not None:
+                raise RefusedError("at real postures alone no sheet is met")
+            bases = self._solutions.squares(case, way)
+            conditions = (*way.conditions, *case.equations, *bases)
             self._node(case.kept, replace(way, conditions=conditions))
         else:
             raise RefusedError(f"{case.equations[0]}: nothing is said of this case")

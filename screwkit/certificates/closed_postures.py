@@ -13,8 +13,8 @@ from itertools import islice
 
 from screwkit.algebra.all_roots import vanishes
 from screwkit.algebra.exact_point import PointRing
+from screwkit.certificates.equations_told import Unsolved
 from screwkit.certificates.postures import POINTS, Postures, Way
-from screwkit.certificates.records import Unsolved
 from screwkit.certificates.texts import NoPostureError, RefusedError, read
 from screwkit.kinematics.tied_twists import closing_demands, tied_demands
 from screwkit.mechanism.model import Mechanism

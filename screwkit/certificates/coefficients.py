@@ -18,8 +18,8 @@ from screwkit.algebra.exact_point import (
     determinant_modulo,
     random_residue,
 )
+from screwkit.certificates.equations_told import Unsolved
 from screwkit.certificates.postures import Postures, Way
-from screwkit.certificates.records import Unsolved
 from screwkit.certificates.root_postures import linear_solution
 from screwkit.certificates.texts import RefusedError, read
 

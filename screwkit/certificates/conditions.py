@@ -12,22 +12,20 @@ from functools import cached_property
 from itertools import combinations
 
 from screwkit.algebra.branches import Branch, Pending, restricted
-from screwkit.algebra.division import Divisor, exact_quotient
 from screwkit.algebra.elimination import half_angle_steps, steps_of
 from screwkit.algebra.factors import Factor, FactorLibrary, factor
-from screwkit.algebra.half_angle import HalfAngles
 from screwkit.algebra.no_real_angle import never_met
-from screwkit.algebra.over_roots import square_roots
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.real_zeros import vanishing_together
-from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.substitution import Substitution, reduced, substituted
 from screwkit.algebra.trigonometric import Polynomial, primitive
+from screwkit.certificates.equations_told import Multiple, Unsolved
 from screwkit.certificates.limb_systems import LimbSystem
 from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.minor_choice import Matrix
-from screwkit.certificates.records import Multiple, Unsolved
+from screwkit.certificates.quotients import quotient_of
+from screwkit.certificates.real_squares import SumOfSquares, sum_of_squares
 from screwkit.certificates.roots import NotProvedError, roots_of
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.steps import (
@@ -109,11 +107,13 @@ class Option:
 
     Attributes:
         impossible: A condition that cannot hold there.
+        squares: Of a condition that is kept: what it is, if that is a sum of squares.
     """
 
     place: Place
     step: Substitution | None
     impossible: Pending | None = None
+    squares: SumOfSquares | None = None
 
 
 @dataclass
@@ -182,40 +182,7 @@ class Conditions:
 
     def quotient(self, value: Polynomial, below: Polynomial) -> Polynomial | None:
         """An exact quotient, if one is found."""
-        plain = exact_quotient(value, below) or self._by_root(value, below)
-        if plain is not None or self.problem.library.is_extended(value):
-            return plain
-        ring = self.problem.root.ring
-        layout = Layout.of(ring)
-        found = Divisor(below, ring, HalfAngles(ring, layout), layout).divide(value)
-        degrees = below.degrees()
-        if found is None and any(degrees[place] for place in layout.constants):
-            return self._by_conjugates(value, below)
-        return found
-
-    def _by_root(self, value: Polynomial, below: Polynomial) -> Polynomial | None:
-        """A quotient that holds a square root of a number below the line."""
-        ring = self.problem.root.ring
-        for root in square_roots(ring):
-            number = ring.context.gens()[root.place]
-            found = exact_quotient(ring.normal(value * number), below)
-            if found is not None:
-                return ring.normal(found * number) / root.square
-        return None
-
-    def _by_conjugates(self, value: Polynomial, below: Polynomial) -> Polynomial | None:
-        """A quotient by a divisor made rational first: times what it is with −√."""
-        ring = self.problem.root.ring
-        for name in ring.constant_generators:
-            if below.degrees()[ring.names.index(name)]:
-                mirrored = below.subs({name: 0}) * 2 - below
-                value = ring.normal(value * mirrored)
-                below = ring.normal(below * mirrored)
-        layout = Layout.of(ring)
-        if any(below.degrees()[place] for place in layout.constants):
-            return None  # no square roots
-        found = exact_quotient(value, below)
-        return found or HalfAngles(ring, layout).quotient(value, below)
+        return quotient_of(self.problem.root.ring, self.problem.library, value, below)
 
     def in_divisor(self, branch: Branch, own: Factor) -> Multiple | None:
         """The divisor of a step that a factor divides, which vanishes nowhere."""
@@ -337,15 +304,19 @@ class Conditions:
 
     def _kept(self, place: Place, equations: Sequence[Polynomial]) -> Option:
         """The equations of a factor as conditions, those that are none yet."""
-        branch = place.branch
+        branch, squares = place.branch, None
+        if len(equations) == 1:
+            squares = sum_of_squares(branch.ring, branch.assumptions, equations[0])
+        bases = [base for _, base in squares.squares] if squares is not None else []
+        every = (*equations, *bases)
         known = {str(primitive(p.value)) for p in branch.pending}
-        new = [e for e in equations if str(primitive(e)) not in known]
+        new = [e for e in every if str(primitive(e)) not in known]
         kept = replace(
             branch,
             conditions=(*branch.conditions, *new),
             pending=(*branch.pending, *(Pending(own, own) for own in new)),
         )
-        return Option(Place(kept, (*place.conditions, *equations)), None)
+        return Option(Place(kept, (*place.conditions, *every)), None, squares=squares)
 
     def says_nothing(
         self, place: Place, pending: Pending, factors: Sequence[tuple[Factor, int]]

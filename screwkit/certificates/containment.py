@@ -10,8 +10,9 @@ from contextlib import suppress
 from screwkit.algebra.all_roots import rank_at_roots
 from screwkit.algebra.exact_point import PointRing
 from screwkit.algebra.modular import ResampleError
+from screwkit.certificates.equations_told import Unsolved
 from screwkit.certificates.postures import Postures, Way
-from screwkit.certificates.records import Locus, Unsolved
+from screwkit.certificates.records import Locus
 from screwkit.certificates.texts import read
 
 

@@ -24,11 +24,12 @@ from screwkit.certificates.conditions import (
     Problem,
     with_conditions,
 )
+from screwkit.certificates.equations_told import Unsolved
 from screwkit.certificates.limb_offers import limb_offers
 from screwkit.certificates.met_conditions import orders
 from screwkit.certificates.offer_choice import LONGEST, Choice
 from screwkit.certificates.offers import minor_offers
-from screwkit.certificates.records import Node, Unsolved
+from screwkit.certificates.records import Node
 from screwkit.certificates.roots import NotProvedError
 from screwkit.certificates.sheet_nodes import SheetNodes
 from screwkit.certificates.sheet_trials import SheetTrials, on_the_way
@@ -42,6 +43,7 @@ from screwkit.certificates.sums import (
     implied_equation,
     paired_equation,
     solvable_sum,
+    sum_by_cramer,
     sum_without_angles,
     sum_without_symbol,
 )
@@ -210,15 +212,16 @@ class ProofSearch(SheetNodes):
     def by_minor(self, place: Place, number: int) -> Node:
         """The node of the minor that leaves the fewest cases.
 
-        Where there is none, of a sum in few unknowns.
+        Where there is none, of a sum without some symbols, or in few unknowns.
         """
         try:
             choice, roots = self.chosen_minor(place)
         except NotProvedError:
-            found = self.of_a_sum(place, number, sum_without_angles(self, place))
-            if found is None:
-                raise
-            return found
+            for sought in (sum_by_cramer, sum_without_angles):
+                found = self.of_a_sum(place, number, sought(self, place))
+                if found is not None:
+                    return found
+            raise
         return self.said(place, number, choice, roots)
 
     def chosen_minor(self, place: Place) -> tuple[Choice, tuple[Unsolved, ...]]:

@@ -7,23 +7,23 @@ whose factors speak of coordinates and not of the limb.
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import chain, combinations, islice
 
+from screwkit.algebra.points import Point
 from screwkit.algebra.polynomial_text import text
+from screwkit.algebra.trigonometric import Polynomial
 from screwkit.certificates.conditions import Place, Problem
 from screwkit.certificates.derivation import ProofSearch
+from screwkit.certificates.equations_told import Unsolved
+from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.minor_choice import Matrix
 from screwkit.certificates.offer_choice import Choice
 from screwkit.certificates.offers import minor_offers
-from screwkit.certificates.records import (
-    Certificate,
-    Floor,
-    Node,
-    Part,
-    Unsolved,
-)
+from screwkit.certificates.records import Certificate, Floor, Node, Part
 from screwkit.certificates.roots import NotProvedError
 
 LEVELS = 2
@@ -34,6 +34,12 @@ MOST_NODES = 60
 
 MOST_CHOICES = 60
 """Of twists, in a minor."""
+
+ROUNDS = 4
+"""Of one floor, until its loci are those that are needed."""
+
+CHOICES_OF_FREEDOMS = 8
+"""Of a limb with loops inside, each of which gives several minors."""
 
 MOST_LOCI = 6
 """On which the rank may be lower still."""
@@ -72,17 +78,22 @@ class FloorSearch(ProofSearch):
         """
         branch, matrix = place.branch, self.problem.matrix
         at = max(branch.points, key=lambda p: matrix.rank_at(*p), default=None)
-        if at is None or not isinstance(matrix, Matrix):
+        if at is None:
             raise NotProvedError("no exact posture was found")
+        fewer: Iterator[Matrix | LoopEquations]
+        if isinstance(matrix, Matrix):
+            fewer = _fewer_twists(matrix, self.rank)
+        else:
+            fewer = _fewer_freedoms(matrix, self.rank, at, self.source)
         offers = chain.from_iterable(
             minor_offers(own, branch, at, self.source)
-            for own in _fewer(matrix, self.rank)
+            for own in fewer
             if own.rank_at(*at) == self.rank
         )
         return self.chosen(place, offers), ()
 
 
-def _fewer(matrix: Matrix, count: int) -> Iterator[Matrix]:
+def _fewer_twists(matrix: Matrix, count: int) -> Iterator[Matrix]:
     """The twists of a limb, so many at a time."""
     (columns,), (labels,) = matrix.limbs, matrix.labels
     for chosen in islice(combinations(range(len(columns)), count), MOST_CHOICES):
@@ -90,30 +101,79 @@ def _fewer(matrix: Matrix, count: int) -> Iterator[Matrix]:
         yield replace(matrix, limbs=own[:1], labels=own[1:])
 
 
-def floors_of(problem: Problem, rank: int) -> tuple[Floor, ...]:
+def _fewer_freedoms(
+    matrix: LoopEquations, rank: int, at: tuple[Point, int], source: random.Random
+) -> Iterator[LoopEquations]:
+    """Loop equations without freedoms that would make the rank at a point larger."""
+    if matrix.rank_at(*at) == rank:
+        yield matrix
+        return
+    seen = set[tuple[str, ...]]()
+    for _ in range(CHOICES_OF_FREEDOMS):
+        left, order = matrix, [*matrix.freedoms]
+        source.shuffle(order)
+        for label in order:
+            if left.rank_at(*at) == rank:
+                break
+            fewer = left.without(label)
+            if fewer.rank_at(*at) >= rank:
+                left = fewer
+        if left.freedoms not in seen:
+            seen.add(left.freedoms)
+            yield left
+
+
+def floors_of(problem: Problem, rank: int, *, itself: bool) -> tuple[Floor, ...]:
     """What is proved of a limb's rank where it is lower than in general.
 
     Args:
-        problem: Of the limb's own twists; its components are not looked at.
+        problem: Of the limb's own twists, or its loop equations; its components are
+            not looked at.
         rank: In general.
+        itself: Whether it is asked for, too: of loop equations the limb's components
+            are those where the platform may do less.
 
     Returns:
         By falling rank; none where no short proof was found.
     """
     found = []
-    for size in range(rank - 1, max(0, rank - 1 - LEVELS), -1):
-        search = FloorSearch(replace(problem, components=()), size)
-        try:
-            proof = search.node(Place(problem.root))
-        except NotProvedError:
-            continue
-        ring = problem.root.ring
-        loci = tuple(
-            tuple(text(ring, equation) for equation in equations)
-            for equations in search.problem.components
-        )
-        found.append(Floor(size, loci, proof))
+    for size in range(rank - (not itself), max(0, rank - 1 - LEVELS), -1):
+        with suppress(NotProvedError):
+            found.append(_floor(problem, size))
     return tuple(found)
+
+
+def _floor(problem: Problem, rank: int) -> Floor:
+    """What is proved of one rank.
+
+    A locus may be met before a larger one that holds it.  So the same is asked again
+    where they are known, the larger ones first, and with those alone that are needed.
+
+    Raises:
+        NotProvedError: If no short proof was found.
+    """
+    needed: tuple[tuple[Polynomial, ...], ...] = ()
+    for _ in range(ROUNDS):
+        search = FloorSearch(replace(problem, components=needed, least=-1), rank)
+        proof = search.node(Place(problem.root))
+        loci = search.problem.components
+        met = [loci[k] for k in sorted(_components_in(proof))]
+        needed = tuple(sorted(met, key=len))
+        if needed == loci:
+            break
+    ring = problem.root.ring
+    told = (tuple(text(ring, e) for e in own) for own in loci)
+    return Floor(rank, tuple(told), proof)
+
+
+def _components_in(proof: Node) -> set[int]:
+    """The numbers of those that a proof speaks of."""
+    found, waiting = set[int](), [proof]
+    while waiting:
+        node = waiting.pop()
+        found |= {node.component} - {-1}
+        waiting += node.below
+    return found
 
 
 class LimbPart:
@@ -121,7 +181,7 @@ class LimbPart:
 
     Args:
         part: Without floors.
-        problem: Of the limb's own twists.
+        problem: Of the limb's own twists, or its loop equations.
     """
 
     def __init__(self, part: Part, problem: Problem) -> None:
@@ -134,16 +194,22 @@ class LimbPart:
         return replace(self._part, floors=self._floors or ())
 
     @property
+    def name(self) -> str:
+        """Of the limb."""
+        return self._part.limb
+
+    @property
     def floors(self) -> tuple[Floor, ...]:
         """What is proved of the limb where it is singular."""
         if self._floors is None:
-            self._floors = floors_of(self._problem, self._part.rank)
+            part = self._part
+            self._floors = floors_of(self._problem, part.rank, itself=bool(part.form))
         return self._floors
 
     def below(self, rank: int) -> tuple[tuple[str, ...], ...] | None:
         """Where the limb has a lower rank; None where that is not proved."""
         part = self._part
-        if rank < part.rank:
+        if rank < part.rank or part.form:
             found = (floor.loci for floor in self.floors if floor.rank == rank)
             return next(found, None)
         if rank > part.rank or part.proof is None:

@@ -19,9 +19,10 @@ from screwkit.algebra.all_roots import rank_at_roots
 from screwkit.algebra.exact_point import PointRing, determinant_modulo
 from screwkit.certificates.postures import Postures
 from screwkit.conventions import SCREW_DIMENSION
-from screwkit.kinematics.loop_basis import held_loops, short_loops
-from screwkit.mechanism.graph import Step
+from screwkit.kinematics.loop_basis import held_loops, short_loops, way_to_platform
+from screwkit.mechanism.graph import Step, limbs
 from screwkit.mechanism.joints import freedom_labels
+from screwkit.mechanism.parts import part_of
 
 
 class GraphMatrix:
@@ -88,6 +89,38 @@ class GraphMatrix:
     def matrix(self, point: PointRing) -> dict[str, list[Any]]:
         """The columns of the part's matrix at a posture, by freedom."""
         return self._of(point, self._held if self.is_held else self._closed)
+
+    @cached_property
+    def freedoms_of(self) -> dict[str, tuple[str, ...]]:
+        """By limb, its freedoms, locked or not."""
+        return {
+            limb.name: tuple(x for name in limb.joints for x in self._labels[name])
+            for limb in limbs(self._mechanism)
+        }
+
+    @cached_property
+    def _ways(self) -> dict[str, tuple[tuple[Step, ...], ...]]:
+        """By limb, a way to the platform and the loops inside."""
+        ends, found = (self._mechanism.base, self._mechanism.platform), {}
+        for limb in limbs(self._mechanism):
+            own = part_of(self._mechanism, limb.joints, ends)
+            found[limb.name] = way_to_platform(own), *short_loops(own)
+        return found
+
+    @property
+    def is_of_limbs(self) -> bool:
+        """Whether every joint belongs to a limb."""
+        own = {x for labels in self.freedoms_of.values() for x in labels}
+        return own == {x for labels in self._labels.values() for x in labels}
+
+    def height(self, limb: str) -> int:
+        """Rows of [P; C] of a limb."""
+        return SCREW_DIMENSION * len(self._ways[limb])
+
+    def of_limb(self, limb: str, point: PointRing) -> dict[str, list[Any]]:
+        """[P; C] of a limb at a posture, by freedom: six rows of P, then those of C."""
+        columns = self._of(point, self._ways[limb])
+        return {x: columns[x] for x in self.freedoms_of[limb] if x in columns}
 
     def rank_of(self, rows: Sequence[Sequence[Any]]) -> int:
         """Of a matrix of residues, or of values at roots."""

@@ -6,6 +6,11 @@ elimination that is the sum of the r_i of all limbs but one, and the rank of the
 that wrenches of those do in the joints of that one.  The platform is still where the
 W_i together have dimension 6.
 
+Of a limb with loops inside the matrix [P; C] stands for the twists: P leads to the
+platform, C are the equations of its loops.  A wrench of the platform is reciprocal to
+all that the limb allows where, with some reactions of the loops, it does no work in any
+joint; r_i is the rank of [P; C].
+
 References: [LongCaroKhalil2012] (4)-(9), (26).
 """
 
@@ -22,7 +27,6 @@ from screwkit.certificates.records import Node, OfLimb, Part
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.texts import RefusedError, read
 from screwkit.conventions import SCREW_DIMENSION
-from screwkit.mechanism.graph import limbs
 
 _ROWS = frozenset(range(SCREW_DIMENSION))
 
@@ -46,16 +50,15 @@ class LimbClaims:
         self._known: dict[tuple[str, int], list[tuple[str, ...]]] = {}
         """By limb and rank: where it is lower, as the limb's own part proves."""
         for part in parts:
-            if part.question != "limb" or part.form:
+            if part.question != "limb":
                 continue
             for floor in part.floors:
                 self._known[part.limb, floor.rank] = [*floor.loci]
-            if part.proof is not None:
+            if part.proof is not None and not part.form:
                 own = [locus.equations for locus in part.components]
                 self._known[part.limb, part.rank] = own
-        names = [limb.name for limb in limbs(postures.spoken_of.mechanism)]
         held = {*self._part.locked}
-        self._whole = dict(zip(names, postures.spoken_of.limbs, strict=False))
+        self._whole = matrix.freedoms_of
         self._labels = {
             name: [label for label in own if label not in held]
             for name, own in self._whole.items()
@@ -71,15 +74,16 @@ class LimbClaims:
         Raises:
             RefusedError: If that does not follow, or a wrench is not reciprocal.
         """
-        if self._part.form or self._part.question == "limb":
+        if self._part.question == "limb" or not self._matrix.is_of_limbs:
             raise RefusedError("limbs say nothing about it")
         names = [own.limb for own in node.limbs]
         if len({*names}) < len(names) or not {*names} <= {*self._labels}:
             raise RefusedError("its limbs are none of the mechanism, or stand twice")
         for own in node.limbs:
             self._shows_rank(own)
-            if any(len(wrench) != SCREW_DIMENSION for wrench in own.wrenches):
-                raise RefusedError("a wrench has six coordinates")
+            height = self._matrix.height(own.limb)
+            if any(len(wrench) != height for wrench in own.wrenches):
+                raise RefusedError("a wrench has six coordinates, reactions aside")
         if node.columns:
             self._of_work(node)
         else:
@@ -90,11 +94,11 @@ class LimbClaims:
 
     def _reciprocal(self, own: OfLimb, way: Way, point: PointRing) -> None:
         """Check that wrenches do no work in their limb, where all conditions hold."""
-        twists, labels = self._matrix.twists(point), self._labels[own.limb]
+        twists, labels = self._matrix.of_limb(own.limb, point), self._labels[own.limb]
         multiples = {multiple.equation: multiple for multiple in own.work}
         for number, wrench in enumerate(self._values(own, point)):
             for place, label in enumerate(labels, number * len(labels)):
-                work = _product(wrench, twists[label])
+                work = _work(wrench, twists[label])
                 if not follows(work, multiples.get(place), way, point):
                     raise RefusedError(f"a wrench does work in limb {own.limb}")
 
@@ -134,8 +138,9 @@ class LimbClaims:
         if own.columns or own.rows:
             if not len(own.rows) == len(own.columns) == own.rank:
                 raise RefusedError(f"its minor of limb {own.limb} has another size")
+            rows = range(self._matrix.height(own.limb))
             if not {*own.columns} <= {*self._labels[own.limb]} or (
-                not {*own.rows} <= _ROWS
+                not {*own.rows} <= {*rows}
             ):
                 raise RefusedError(f"its minor is none of limb {own.limb}")
         elif own.rank:
@@ -160,15 +165,21 @@ class LimbClaims:
 
     def product(self, node: Node, point: PointRing) -> Any:
         """The minors of a node's limbs and wrenches at a posture, multiplied."""
-        twists, prime = self._matrix.twists(point), self._postures.prime
-        found = point.one
+        found, prime = point.one, self._postures.prime
         for own in node.limbs:
             if own.columns:
-                chosen = [[twists[x][row] for row in own.rows] for x in own.columns]
+                columns = self._matrix.of_limb(own.limb, point)
+                chosen = [[columns[x][row] for row in own.rows] for x in own.columns]
                 found = found * determinant_modulo(chosen, prime)
         wrenches = [w for own in node.limbs for w in self._values(own, point)]
-        if node.columns:
-            chosen = [[_product(w, twists[x]) for w in wrenches] for x in node.columns]
+        held = self._other(node)
+        if node.columns and held is not None:
+            twists = self._matrix.of_limb(held, point)
+            bare = [wrench[:SCREW_DIMENSION] for wrench in wrenches]
+            chosen = [
+                [_work(w, twists[x][:SCREW_DIMENSION]) for w in bare]
+                for x in node.columns
+            ]
         else:
             chosen = [[wrench[row] for row in node.rows] for wrench in wrenches]
         return found * determinant_modulo(chosen, prime)
@@ -177,11 +188,12 @@ class LimbClaims:
         return [[point.value(read(x)) for x in wrench] for wrench in own.wrenches]
 
 
-def _product(wrench: Sequence[Any], twist: Sequence[Any]) -> Any:
-    """f·v + m·ω of a wrench (f; m) and a twist (ω; v)."""
+def _work(wrench: Sequence[Any], twist: Sequence[Any]) -> Any:
+    """f·v + m·ω of a wrench (f; m) and a twist (ω; v), summed over six by six."""
     half = SCREW_DIMENSION // 2
-    across = [*twist[half:], *twist[:half]]
-    return sum(
-        (a * b for a, b in zip(wrench[1:], across[1:], strict=True)),
-        wrench[0] * across[0],
-    )
+    pairs: list[tuple[Any, Any]] = []
+    for start in range(0, len(wrench), SCREW_DIMENSION):
+        middle, end = start + half, start + SCREW_DIMENSION
+        across = (*twist[middle:end], *twist[start:middle])
+        pairs += zip(wrench[start:end], across, strict=True)
+    return sum((a * b for a, b in pairs[1:]), pairs[0][0] * pairs[0][1])

@@ -77,7 +77,7 @@ class _Limbs:
                 yield [every[k] for k in key]
 
     def _at(self, wrench: Wrench) -> list[int]:
-        return [residue(x, *self.at) for x in wrench.covector]
+        return [residue(x, *self.at) for x in wrench.covector[:SCREW_DIMENSION]]
 
     def sums(self) -> Iterator[Offer]:
         """Wrenches of all limbs whose minor shows how many of them are independent."""
@@ -87,7 +87,8 @@ class _Limbs:
         ring = self.here[0].branch.ring
         for own in self.drawn(count, range(len(self.here))):
             try:
-                minors = minors_of(ring, [w.wrench.covector for w in own], FILLED)
+                bare = [w.wrench.covector[:SCREW_DIMENSION] for w in own]
+                minors = minors_of(ring, bare, FILLED)
                 claims = self._claims(range(len(self.here))) if self.wanted >= 0 else {}
             except TooLargeError:
                 continue
@@ -114,13 +115,16 @@ class _Limbs:
             twists.sort(key=lambda k: sum(map(len, limb.columns[k][0])))
             if self.source.random() < 0.5:
                 self.source.shuffle(twists)
-            at = [[_work(w.values, limb.values[k], prime) for w in own] for k in twists]
+            at = [
+                [_work(w.values, limb.values[k][:SCREW_DIMENSION], prime) for w in own]
+                for k in twists
+            ]
             chosen = sorted(twists[k] for k in independent(at, prime))
             if len(chosen) < count:
                 continue
             columns = [limb.columns[k] for k in chosen]
             entries = [
-                [_product(limb.branch, w.wrench.covector, column) for w in own]
+                [_product(limb.branch, w.wrench, column) for w in own]
                 for column, _ in columns
             ]
             try:
@@ -164,7 +168,7 @@ class _Limbs:
                 continue
             own = OfLimb(limb.system.name) if claim is None else claim.said
             if claim is not None and claim.minor is not None:
-                parts.append((claim.minor, 1))
+                parts += claim.minor
                 over = added(over, claim.over)
             by_part = claim is not None and claim.minor is None
             fallen.append((limb.system.below(limb.rank) or ()) if by_part else ())
@@ -230,26 +234,30 @@ def _work(covector: Sequence[int], column: Sequence[int], prime: int) -> int:
 
 
 def _product(
-    branch: Branch, covector: Sequence[Polynomial], column: Sequence[Polynomial]
+    branch: Branch, wrench: Wrench, column: Sequence[Polynomial]
 ) -> Polynomial:
-    ring = branch.ring
-    pairs = zip(covector, column, strict=True)
+    ring, whole = branch.ring, slice(SCREW_DIMENSION)
+    pairs = zip(wrench.covector[whole], column[whole], strict=True)
     return ring.normal(sum((a * b for a, b in pairs), ring.zero))
 
 
 def _with_wrenches(own: OfLimb, limb: LimbHere, given: Sequence[Wrench]) -> OfLimb:
     """What is said of a limb with the texts of its wrenches."""
-    half, count = SCREW_DIMENSION // 2, len(limb.columns)
+    ring, count = limb.branch.ring, len(limb.columns)
     work = (
         replace(multiple, equation=multiple.equation + number * count)
         for number, wrench in enumerate(given)
         for multiple in wrench.work
     )
-    # f goes with velocities, m with rotations.
     texts = tuple(
-        tuple(
-            text(limb.branch.ring, x) for x in (*w.covector[half:], *w.covector[:half])
-        )
-        for w in given
+        tuple(text(ring, x) for x in _forces_first(w.covector)) for w in given
     )
     return replace(own, wrenches=texts, work=tuple(work))
+
+
+def _forces_first(covector: Sequence[Polynomial]) -> Iterator[Polynomial]:
+    """(f; m), six by six: f goes with velocities, m with rotations."""
+    half = SCREW_DIMENSION // 2
+    for start in range(0, len(covector), SCREW_DIMENSION):
+        middle, end = start + half, start + SCREW_DIMENSION
+        yield from (*covector[middle:end], *covector[start:middle])

@@ -16,9 +16,15 @@ from screwkit.algebra.minors import minors_of
 from screwkit.algebra.modular import independent, rank
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.trigonometric import Polynomial
-from screwkit.certificates.records import Multiple, OfLimb
+from screwkit.certificates.equations_told import Multiple
+from screwkit.certificates.looped_limbs import (
+    minors_of_limb,
+    wrenches_with_reactions,
+)
+from screwkit.certificates.records import OfLimb
 from screwkit.certificates.steps import added, followed
 from screwkit.conventions import SCREW_DIMENSION
+from screwkit.errors import TooLargeError
 from screwkit.loci.wrench_vectors import Vector, spanning_wrenches
 
 FILLED = 300_000
@@ -33,12 +39,13 @@ Shown: TypeAlias = Callable[[Sequence[Polynomial]], tuple[Multiple, ...] | None]
 
 @dataclass(frozen=True)
 class LimbSystem:
-    """The twists of a limb in all six coordinates.
+    """The twists of a limb in all six coordinates; [P; C] where it has loops inside.
 
     Attributes:
         name: Of the limb.
         labels: Its freedoms that are not locked.
-        columns: Their twists.
+        columns: Their twists; what the loops inside say of each follows on its twist.
+        height: Of the columns.
         below: By rank: where the limb's is lower; None where that is not proved, or
             joints are locked.
     """
@@ -47,6 +54,12 @@ class LimbSystem:
     labels: tuple[str, ...]
     columns: tuple[tuple[Polynomial, ...], ...]
     below: Callable[[int], Loci | None]
+    height: int = SCREW_DIMENSION
+
+    @property
+    def is_chain(self) -> bool:
+        """Whether there are no loops inside."""
+        return self.height == SCREW_DIMENSION
 
 
 @dataclass(frozen=True)
@@ -54,7 +67,8 @@ class Wrench:
     """A covector, and why it annihilates the twists of its limb.
 
     Attributes:
-        covector: In the order of the coordinates of a twist.
+        covector: In the order of the coordinates of a twist; reactions of the loops
+            inside the limb follow.
         work: Products with twists, by number of the freedom, that vanish as multiples
             of a condition.
     """
@@ -64,8 +78,8 @@ class Wrench:
 
     @property
     def terms(self) -> int:
-        """Of all coordinates."""
-        return sum(map(len, self.covector))
+        """Of the wrench alone, without reactions."""
+        return sum(map(len, self.covector[:SCREW_DIMENSION]))
 
 
 @dataclass(frozen=True)
@@ -74,12 +88,13 @@ class RankClaim:
 
     Attributes:
         said: Without wrenches.
-        minor: The polynomial that must not vanish; None where the limb's part is used.
+        minor: The product that must not vanish, by powers; None where the limb's part
+            is used.
         over: Powers of divisors of steps that it was multiplied by.
     """
 
     said: OfLimb
-    minor: Polynomial | None
+    minor: tuple[tuple[Polynomial, int], ...] | None
     over: dict[str, int]
 
 
@@ -90,16 +105,16 @@ class LimbHere:
     Attributes:
         columns: On the branch, with powers of the steps' divisors they were multiplied
             by.
-        values: Of the columns at the point.
-        prime: Modulus of the point.
+        at: The point and its prime.
+        values: Of the columns there.
         rank: At the point.
     """
 
     system: LimbSystem
     branch: Branch
     columns: tuple[tuple[list[Polynomial], dict[str, int]], ...]
+    at: tuple[Point, int]
     values: tuple[tuple[int, ...], ...]
-    prime: int
     rank: int
 
     @classmethod
@@ -109,7 +124,7 @@ class LimbHere:
         values = tuple(
             tuple(residue(x, *at) for x in column) for column in system.columns
         )
-        return cls(system, branch, columns, values, at[1], rank(values, at[1]))
+        return cls(system, branch, columns, at, values, rank(values, at[1]))
 
     @property
     def is_known(self) -> bool:
@@ -124,17 +139,22 @@ class LimbHere:
         Raises:
             TooLargeError: If they are too long.
         """
-        order = sorted(range(len(self.columns)), key=self._weight)
-        chosen = independent([self.values[k] for k in order], self.prime)
-        own = [self.columns[order[k]][0] for k in chosen]
-        extensor = minors_of(self.branch.ring, own, FILLED)
-        found = spanning_wrenches(
-            self.branch, extensor, SCREW_DIMENSION, self.rank, library
-        )
+        found = self._annihilating(library)
         if not self.branch.pending:  # then the other twists depend on the chosen ones
             return [Wrench(covector, ()) for covector in found]
         pairs = ((covector, shown(self._works(covector))) for covector in found)
         return [Wrench(own, work) for own, work in pairs if work is not None]
+
+    def _annihilating(self, library: FactorLibrary) -> list[Vector]:
+        columns = [column for column, _ in self.columns]
+        if not self.system.is_chain and columns:
+            return wrenches_with_reactions(self.branch, columns, self.at, library)
+        order = sorted(range(len(columns)), key=self._weight)
+        chosen = independent([self.values[k] for k in order], self.at[1])
+        own = [columns[order[k]] for k in chosen]
+        extensor = minors_of(self.branch.ring, own, FILLED)
+        height = self.system.height
+        return spanning_wrenches(self.branch, extensor, height, self.rank, library)
 
     def _works(self, covector: Vector) -> list[Polynomial]:
         ring = self.branch.ring
@@ -156,19 +176,34 @@ class LimbHere:
         """
         if self.is_known:
             return RankClaim(OfLimb(self.system.name, self.rank), None, {})
+        if not self.system.is_chain:
+            return self._product(source or random.Random(1))
         order = sorted(range(len(self.columns)), key=self._weight)
         places = list(range(SCREW_DIMENSION))
         if source is not None:
             source.shuffle(order)
             source.shuffle(places)
-        found = independent([self.values[k] for k in order], self.prime)
+        found = independent([self.values[k] for k in order], self.at[1])
         chosen = sorted(order[k] for k in found)
         across = [[self.values[k][place] for k in chosen] for place in places]
-        rows = sorted(places[k] for k in independent(across, self.prime))
+        rows = sorted(places[k] for k in independent(across, self.at[1]))
         ring = self.branch.ring
         entries = [[self.columns[k][0][row] for row in rows] for k in chosen]
         minors = minors_of(ring, entries, FILLED)
         value = minors.get((1 << len(chosen)) - 1, ring.zero)
         labels = tuple(self.system.labels[k] for k in chosen)
         said = OfLimb(self.system.name, self.rank, tuple(rows), labels)
-        return RankClaim(said, value, added(*(self.columns[k][1] for k in chosen)))
+        over = added(*(self.columns[k][1] for k in chosen))
+        return RankClaim(said, ((value, 1),), over)
+
+    def _product(self, source: random.Random) -> RankClaim:
+        columns = [column for column, _ in self.columns]
+        minors = minors_of_limb(self.branch, columns, self.at, source)
+        if not minors:
+            raise TooLargeError("the minors of a limb with loops inside")
+        found = min(minors[: 1 + source.randrange(2)], key=lambda own: own.terms)
+        chosen, rows = sorted(found.columns), tuple(sorted(found.rows))
+        labels = tuple(self.system.labels[k] for k in chosen)
+        over = added(*(self.columns[k][1] for k in chosen))
+        said = OfLimb(self.system.name, self.rank, rows, labels)
+        return RankClaim(said, found.parts, over)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.modular import rank
@@ -49,6 +49,13 @@ class LoopEquations:
         freedoms, closed = graph.numbered_equations(locked)
         _, held = graph.numbered_equations(locked, held=True)
         return cls(freedoms, closed, held, asks_held)
+
+    def without(self, freedom: str) -> LoopEquations:
+        """The same with one column less."""
+        gone = self.freedoms.index(freedom)
+        left = (*self.freedoms[:gone], *self.freedoms[gone + 1 :])
+        closed, held = (_without(rows, gone) for rows in (self.closed, self.held))
+        return replace(self, freedoms=left, closed=closed, held=held)
 
     @property
     def labels(self) -> tuple[tuple[str, ...], ...]:
@@ -109,3 +116,12 @@ class LoopEquations:
             columns = sorted(found.columns)
             over = added(*(powers[c] for c in columns))
             yield Minor(tuple(columns), tuple(rows), found.parts, over)
+
+
+def _without(rows: Mapping[int, Row], gone: int) -> dict[int, Row]:
+    """Rows without a column; those that have no other entry are left out."""
+    left = {
+        number: {k - (k > gone): x for k, x in row.items() if k != gone}
+        for number, row in rows.items()
+    }
+    return {number: row for number, row in left.items() if row}

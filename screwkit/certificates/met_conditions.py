@@ -19,7 +19,7 @@ from screwkit.algebra.points_on import Unknown, unknowns
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.certificates.conditions import Place
-from screwkit.certificates.records import Unsolved
+from screwkit.certificates.equations_told import Unsolved
 
 HIGHEST = 4
 """Degree in a symbol, or in sine and cosine of an angle."""

@@ -9,8 +9,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from screwkit.algebra.exact_point import PointRing
+from screwkit.certificates.equations_told import Multiple
 from screwkit.certificates.postures import Way
-from screwkit.certificates.records import Multiple
 from screwkit.certificates.texts import RefusedError, read
 
 

@@ -30,7 +30,8 @@ from screwkit.algebra.exact_point import (
 from screwkit.algebra.expression import Number
 from screwkit.algebra.modular import ResampleError, prime_for
 from screwkit.algebra.survey import SurveyRing
-from screwkit.certificates.records import Angles, Part, Step, Unsolved
+from screwkit.certificates.equations_told import Angles, Step, Unsolved
+from screwkit.certificates.records import Part
 from screwkit.certificates.root_postures import Roots
 from screwkit.certificates.spoken_of import spoken_of
 from screwkit.certificates.texts import (

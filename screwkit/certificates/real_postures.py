@@ -16,7 +16,8 @@ from dataclasses import replace
 from fractions import Fraction
 
 from screwkit.algebra.ball_point import BallPoint, NoRealValueError, sign_of
-from screwkit.certificates.records import Locus, Reach, Side, Step
+from screwkit.certificates.equations_told import Step
+from screwkit.certificates.records import Locus, Reach, Side
 from screwkit.certificates.texts import RefusedError, fraction, read
 
 _DRAWN = 200

@@ -19,7 +19,7 @@ from screwkit.algebra.exact_point import (
 )
 from screwkit.algebra.expression import Expression
 from screwkit.algebra.modular import ResampleError
-from screwkit.certificates.records import Unsolved
+from screwkit.certificates.equations_told import Unsolved
 from screwkit.certificates.texts import RefusedError, read
 
 _DEGREE = 60

@@ -10,7 +10,7 @@ from screwkit.algebra.linear_systems import has_solutions, linear_systems
 from screwkit.algebra.points_on import Unknown, degree_in, unknowns
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
-from screwkit.certificates.records import Unsolved
+from screwkit.certificates.equations_told import Unsolved
 
 
 class NotProvedError(Exception):

@@ -6,11 +6,14 @@ Here of limbs that are chains; `graph_matrix` has that of any joint graph.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 from screwkit.algebra.all_roots import rank_at_roots
 from screwkit.algebra.exact_point import PointRing, determinant_modulo
 from screwkit.certificates.postures import Postures
+from screwkit.conventions import SCREW_DIMENSION
+from screwkit.mechanism.graph import limbs
 
 
 class ScrewMatrix:
@@ -33,6 +36,27 @@ class ScrewMatrix:
     def twists(self, point: PointRing) -> Mapping[str, tuple[Any, ...]]:
         """The twists at a posture, by freedom, times their scales."""
         return self._postures.twists(point)
+
+    @cached_property
+    def freedoms_of(self) -> dict[str, tuple[str, ...]]:
+        """By limb, its freedoms, locked or not."""
+        names = [limb.name for limb in limbs(self._postures.spoken_of.mechanism)]
+        return dict(zip(names, self.limbs, strict=False))
+
+    @property
+    def is_of_limbs(self) -> bool:
+        """Whether every joint belongs to a limb, or hangs on none of its loops."""
+        return True
+
+    def height(self, limb: str) -> int:
+        """Coordinates of a twist."""
+        return SCREW_DIMENSION
+
+    def of_limb(self, limb: str, point: PointRing) -> dict[str, list[Any]]:
+        """The twists of a limb at a posture, by freedom."""
+        twists = self.twists(point)
+        free = (x for x in self.freedoms_of[limb] if x not in self._locked)
+        return {label: list(twists[label]) for label in free}
 
     @property
     def columns(self) -> tuple[str, ...]:

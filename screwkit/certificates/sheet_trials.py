@@ -10,8 +10,9 @@ from screwkit.algebra.modular import ResampleError
 from screwkit.algebra.polynomial_text import text
 from screwkit.certificates.checking import PartCheck
 from screwkit.certificates.conditions import Place
+from screwkit.certificates.equations_told import Step
 from screwkit.certificates.postures import Way
-from screwkit.certificates.records import Locus, Node, Part, Step
+from screwkit.certificates.records import Locus, Node, Part
 from screwkit.certificates.steps import written_step
 from screwkit.certificates.texts import RefusedError
 from screwkit.mechanism.model import Mechanism

@@ -57,6 +57,10 @@ class Signs:
             return True
         return bool(self._sign_of_the_rest(left)) or self._is_out_of_reach(left)
 
+    def positive_everywhere(self, expression: Expression) -> bool:
+        """Whether a proof was found that the expression is positive, by its terms."""
+        return self._of(expression) == (1, True)
+
     def _sign_of_the_rest(self, terms: list[_Term]) -> int:
         """Of the terms without angles if they outweigh all others, or else 0."""
         still, others = list[_Term](), list[_Term]()

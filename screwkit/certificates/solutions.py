@@ -13,9 +13,10 @@ from typing import Any
 
 from screwkit.algebra.exact_point import PointRing, Turn
 from screwkit.algebra.expression import Expression
+from screwkit.certificates.equations_told import Step
 from screwkit.certificates.multiples import divided
 from screwkit.certificates.postures import Postures, Way
-from screwkit.certificates.records import Case, Step
+from screwkit.certificates.records import Case
 from screwkit.certificates.root_postures import linear_solution
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.texts import RefusedError, fraction, read
@@ -49,6 +50,28 @@ class Solutions:
             self._symbol(case.equations[0], steps[0], way)
         else:
             raise RefusedError("a case is not solved by any rule")
+
+    def squares(self, case: Case, way: Way) -> tuple[str, ...]:
+        """What vanishes where a sum of squares does.
+
+        Raises:
+            RefusedError: If a multiple of the case's equation is no such sum.
+        """
+        if not case.squares:
+            return ()
+        if len(case.equations) != 1 or not case.times:
+            raise RefusedError("several equations are no sum of squares")
+        for square in case.squares:
+            if not self._signs.positive_everywhere(read(square.weight)):
+                raise RefusedError(f"{square.weight}, a weight, is not positive")
+        for point in self._postures.several(way):
+            left = point.value(read(case.equations[0])) * point.value(read(case.times))
+            for square in case.squares:
+                base = point.value(read(square.base))
+                left = left - point.value(read(square.weight)) * base * base
+            if left != 0:
+                raise RefusedError(f"{case.equations[0]} is no sum of these squares")
+        return tuple(square.base for square in case.squares)
 
     def satisfied(self, step: Step, point: PointRing) -> bool:
         """Whether a posture has the values that a step gives."""

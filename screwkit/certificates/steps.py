@@ -20,7 +20,8 @@ from screwkit.algebra.trigonometric import (
     TrigonometricRing,
     as_fraction,
 )
-from screwkit.certificates.records import Reach, Step
+from screwkit.certificates.equations_told import Step
+from screwkit.certificates.records import Reach
 from screwkit.certificates.roots import NotProvedError, roots_of
 
 

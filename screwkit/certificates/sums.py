@@ -14,6 +14,7 @@ from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.substitution import linear_parts
+from screwkit.algebra.sums_by_cramer import sums_by_cramer
 from screwkit.algebra.sums_of_conditions import (
     Combination,
     equal_leads,
@@ -25,7 +26,7 @@ from screwkit.algebra.sums_of_conditions import (
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.certificates.conditions import Conditions, Place
 from screwkit.certificates.endings import Endings
-from screwkit.certificates.records import Multiple
+from screwkit.certificates.equations_told import Multiple
 from screwkit.certificates.steps import followed
 
 
@@ -216,6 +217,44 @@ def determinant_sum(known: Conditions, place: Place) -> Sum | None:
     return None
 
 
+def sum_by_cramer(known: Conditions, place: Place) -> Sum | None:
+    """A product of which some factor is solved, and the others hold fewer unknowns.
+
+    Or one of which a factor is what a component still needs.  Of several the one that
+    leaves the fewest unsolved, then the shortest.
+    """
+    branch = place.branch
+    ring, values = branch.ring, [pending.value for pending in branch.pending]
+    held = {str(primitive(value)) for value in values}
+    wanted = {str(primitive(own)) for own in _wanted(known, place)}
+    best: tuple[tuple[int, ...], Combination, list[tuple[Factor, int]]] | None = None
+    for found in sums_by_cramer(ring, values, branch.dimensions):
+        value = found.combination.value
+        factors = known.factors(branch, value)
+        if any(str(primitive(e)) in held for own, _ in factors for e in own.equations):
+            continue
+        zero = [own for own, _ in factors if not known.vanishes_nowhere(branch, own)]
+        left = [own for own in zero if known.steps(branch, own) is None]
+        new = [f for f in left if str(primitive(f.equations[0])) not in wanted]
+        if len(new) == len(zero):
+            continue  # no product, or none that is easier
+        degrees = [own.equations[0].degrees() for own in left]
+        if any(degree[i] for degree in degrees for i in found.symbols):
+            continue
+        cost = (
+            len(new),
+            len(left),
+            sum(len(own.equations[0]) for own in left),
+            len(value),
+        )
+        if best is None or cost < best[0]:
+            best = cost, found.combination, factors
+    if best is None:
+        return None
+    numbers = [place.number(pending) for pending in branch.pending]
+    return Sum(terms_of(place, numbers, best[1]), tuple(best[2]))
+
+
 def _wanted(known: Conditions, place: Place) -> list[Polynomial]:
     """Factors of equations of components that seem to hold, and are not shown to.
 
@@ -235,7 +274,8 @@ def _wanted(known: Conditions, place: Place) -> list[Polynomial]:
                 first, *more = own.equations
                 if not more and not any(residue(first, *at) for at in branch.points):
                     left.append(first)
-        found.append(left)
+        if branch.points or len(left) == 1:
+            found.append(left)
     return [own for left in sorted(found, key=len) for own in left]
 
 

@@ -15,7 +15,7 @@ from screwkit.algebra.factors import Factor
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
 from screwkit.certificates.conditions import Conditions, Place
-from screwkit.certificates.records import Multiple
+from screwkit.certificates.equations_told import Multiple
 from screwkit.certificates.steps import added, followed
 from screwkit.certificates.sums import Sum
 

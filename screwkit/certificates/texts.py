@@ -13,8 +13,9 @@ from screwkit.algebra.limits import RESULT_LIMITS
 from screwkit.algebra.parse import parse
 from screwkit.algebra.rational_values import rational_value
 from screwkit.algebra.written_terms import factors_of, terms_of
+from screwkit.certificates.equations_told import Step, Unsolved
 from screwkit.certificates.one_symbol import coefficients_of
-from screwkit.certificates.records import Part, Step, Unsolved
+from screwkit.certificates.records import Part
 
 _MOST = 8
 """Different square roots for which a prime is looked for; each halves the primes."""

@@ -18,11 +18,12 @@ from screwkit.algebra.points import Point, differential
 from screwkit.algebra.points_on import unknowns
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import Polynomial
-from screwkit.certificates.certification import PartDerivation
 from screwkit.certificates.covered_components import with_covers
 from screwkit.certificates.derivation import proof_of
+from screwkit.certificates.equations_told import Unsolved
 from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.minor_choice import Matrix
+from screwkit.certificates.part_derivation import PartDerivation
 from screwkit.certificates.records import (
     Certificate,
     Demand,
@@ -30,7 +31,6 @@ from screwkit.certificates.records import (
     Part,
     Reach,
     Source,
-    Unsolved,
 )
 from screwkit.certificates.roots import NotProvedError, roots_of
 from screwkit.certificates.seen_postures import SeenPostures

@@ -20,8 +20,9 @@ from screwkit.algebra.all_roots import at_all_roots
 from screwkit.algebra.exact_point import PointRing
 from screwkit.algebra.modular import ResampleError
 from screwkit.certificates.coefficients import Coefficients
+from screwkit.certificates.equations_told import Unsolved
 from screwkit.certificates.postures import Postures, Way
-from screwkit.certificates.records import Case, Node, Unsolved
+from screwkit.certificates.records import Case, Node
 from screwkit.certificates.root_postures import linear_solution
 from screwkit.certificates.sheets import Sheets, Unknown, placed
 from screwkit.certificates.texts import RefusedError, read

@@ -165,6 +165,30 @@ class WholeGraph:
                     rows[SCREW_DIMENSION * number + coordinate] = row
         return labels, rows
 
+    def led_equations(
+        self, locked: Collection[str] = ()
+    ) -> tuple[tuple[str, ...], dict[int, Row], int]:
+        """The columns of [P; C] and its rows, those of the way to the platform first.
+
+        Args:
+            locked: Freedoms without a column.
+
+        Returns:
+            The columns; the rows by number, six coordinates of the way and of one loop
+            after another; how many there are with those that are left out, which are
+            zeros or follow from others of their loop.
+        """
+        labels = tuple(x for x in self.network.labels if x not in locked)
+        place = {label: i for i, label in enumerate(labels)}
+        rows: dict[int, Row] = {}
+        ways = (way_to_platform(self.mechanism), *self._loops)
+        for number, way in enumerate(ways):
+            for coordinate in self._telling if number else range(SCREW_DIMENSION):
+                row = self._row(way, coordinate, place)
+                if row:
+                    rows[SCREW_DIMENSION * number + coordinate] = row
+        return labels, rows, SCREW_DIMENSION * len(ways)
+
     def unturned_equations(self) -> list[Row]:
         """The rows of C, and those that keep the platform from turning."""
         labels, rows = self.equations()

@@ -54,18 +54,19 @@ class Reduced:
     pivots: tuple[Pivot, ...]
 
 
-def reduced(branch: Branch, rows: Sequence[Row]) -> Reduced:
+def reduced(branch: Branch, rows: Sequence[Row], columns: int | None = None) -> Reduced:
     """A matrix without rows and columns that nowhere-zero entries clear.
 
     Args:
         branch: Where the entries are taken, in the generators left on it.
         rows: By column.
+        columns: How many of them may be cleared; by default all.
     """
     left = {k: _without_content(row) for k, row in enumerate(rows) if row}
     judged: dict[str, bool] = {}
     pivots: list[Pivot] = []
     while True:
-        choice = _cheapest(branch, [*left.values()], judged)
+        choice = _cheapest(branch, [*left.values()], judged, columns)
         if choice is None:
             break
         number, column = [*left][choice[0]], choice[1]
@@ -83,7 +84,7 @@ def reduced(branch: Branch, rows: Sequence[Row]) -> Reduced:
 
 
 def _cheapest(
-    branch: Branch, rows: Sequence[Row], judged: dict[str, bool]
+    branch: Branch, rows: Sequence[Row], judged: dict[str, bool], columns: int | None
 ) -> tuple[int, int] | None:
     """The pivot that takes the fewest products of terms."""
     touching: dict[int, list[int]] = {}
@@ -94,6 +95,8 @@ def _cheapest(
     for number, row in enumerate(rows):
         terms = sum(map(len, row.values()))
         for column, entry in row.items():
+            if columns is not None and column >= columns:
+                continue
             others = [rows[k] for k in touching[column] if k != number]
             cost = sum(len(other[column]) for other in others) * terms
             cost += sum(map(_terms, others)) * (len(entry) - 1)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from screwkit.case import load, load_text
 from screwkit.certificates.checking import check
+from screwkit.certificates.equations_told import Step, Unsolved
 from screwkit.certificates.findings import Findings
 from screwkit.certificates.records import (
     Case,
@@ -16,8 +17,6 @@ from screwkit.certificates.records import (
     Reach,
     Sheet,
     Source,
-    Step,
-    Unsolved,
 )
 from screwkit.certificates.written import SCHEMA
 

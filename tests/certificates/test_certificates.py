@@ -14,6 +14,7 @@ import screwkit
 from screwkit.algebra.expression_building import symbols_of
 from screwkit.case import find, load_text
 from screwkit.certificates.checking import check
+from screwkit.certificates.equations_told import Step
 from screwkit.certificates.records import (
     Case,
     Certificate,
@@ -23,7 +24,6 @@ from screwkit.certificates.records import (
     Reach,
     Sheet,
     Source,
-    Step,
 )
 from screwkit.certificates.texts import RefusedError, read
 from screwkit.certificates.written import SCHEMA, MalformedError, from_text, to_text

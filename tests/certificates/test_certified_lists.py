@@ -137,7 +137,7 @@ def test_a_list_without_a_proof_is_not_called_certified(
     def fails(*_: object, **__: object) -> None:
         raise NotProvedError("nothing was tried")
 
-    monkeypatch.setattr("screwkit.certificates.certification.proof_of", fails)
+    monkeypatch.setattr("screwkit.certificates.part_derivation.proof_of", fails)
     searched = screwkit.singularities(case, certificate=True)
     assert not searched.limb[0].complete  # without a proof nothing is called so
     assert (
@@ -158,7 +158,7 @@ def test_a_component_that_starts_with_a_pair_in_half_angles_has_postures() -> No
 def test_of_a_very_long_list_no_component_is_listed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("screwkit.certificates.certification.MOST", 1)
+    monkeypatch.setattr("screwkit.certificates.part_derivation.MOST", 1)
     limb = answered.__wrapped__(tmp_path).limb[0]
     assert not limb.complete
     assert not limb.certified
@@ -173,7 +173,7 @@ def test_many_limbs_are_certified_by_what_ranks_they_keep(
 
     That equations of components hold at singular postures alone is left out.
     """
-    where = "screwkit.certificates.certification.with_covers"
+    where = "screwkit.certificates.part_derivation.with_covers"
     monkeypatch.setattr(where, lambda mechanism, part, *others: part)
     answer, _ = with_strata("isoglide4_t3r1")
     case = screwkit.load("isoglide4_t3r1")

@@ -10,18 +10,12 @@ import pytest
 from certificates.forged import HEAD, certificate
 
 from screwkit.case import load_text
-from screwkit.certificates.certification import PartDerivation
 from screwkit.certificates.checking import check
 from screwkit.certificates.containment import is_whole_part
+from screwkit.certificates.equations_told import Step
+from screwkit.certificates.part_derivation import PartDerivation
 from screwkit.certificates.postures import Postures, Way
-from screwkit.certificates.records import (
-    Floor,
-    Locus,
-    Node,
-    Part,
-    Reach,
-    Step,
-)
+from screwkit.certificates.records import Floor, Locus, Node, Part, Reach
 from screwkit.certificates.subjects import of_limb
 from screwkit.certificates.texts import RefusedError
 

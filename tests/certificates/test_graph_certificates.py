@@ -19,6 +19,7 @@ from screwkit.algebra.constants import ConstantField
 from screwkit.case import load_text
 from screwkit.certificates.certification import certified_graph
 from screwkit.certificates.checking import check
+from screwkit.certificates.equations_told import Step
 from screwkit.certificates.graph_matrix import GraphMatrix
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.records import (
@@ -30,7 +31,6 @@ from screwkit.certificates.records import (
     Reach,
     Sheet,
     Source,
-    Step,
 )
 from screwkit.certificates.texts import RefusedError
 from screwkit.certificates.written import SCHEMA, from_text, to_text

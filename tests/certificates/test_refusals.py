@@ -24,18 +24,10 @@ from certificates.forged import (
 import screwkit
 from screwkit.case import load_text
 from screwkit.certificates.checking import PartCheck, checked
+from screwkit.certificates.equations_told import Multiple, Step, Unsolved
 from screwkit.certificates.general_claims import GeneralClaims
 from screwkit.certificates.postures import Postures, Way
-from screwkit.certificates.records import (
-    Case,
-    Locus,
-    Multiple,
-    Node,
-    Reach,
-    Sheet,
-    Step,
-    Unsolved,
-)
+from screwkit.certificates.records import Case, Locus, Node, Reach, Sheet
 from screwkit.certificates.screw_matrix import ScrewMatrix
 from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.texts import RefusedError

@@ -30,18 +30,10 @@ from screwkit.certificates.conditions import (
     Problem,
     with_conditions,
 )
+from screwkit.certificates.equations_told import Multiple, Step, Unsolved
 from screwkit.certificates.minor_choice import Matrix
 from screwkit.certificates.postures import Postures, Way
-from screwkit.certificates.records import (
-    Case,
-    Locus,
-    Multiple,
-    Node,
-    Part,
-    Reach,
-    Step,
-    Unsolved,
-)
+from screwkit.certificates.records import Case, Locus, Node, Part, Reach
 from screwkit.certificates.roots import roots_of
 from screwkit.certificates.signs import Signs
 from screwkit.certificates.solutions import Solutions

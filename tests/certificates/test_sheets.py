@@ -25,21 +25,12 @@ from certificates.forged import (
 from screwkit.algebra.all_roots import rank_at_roots
 from screwkit.case import load_text
 from screwkit.certificates.checking import check
+from screwkit.certificates.equations_told import Step, Unsolved
 from screwkit.certificates.findings import Findings
 from screwkit.certificates.irreducible_equations import Shape, shape_of
 from screwkit.certificates.postures import Postures, Way
 from screwkit.certificates.real_postures import RealPostures
-from screwkit.certificates.records import (
-    Case,
-    Locus,
-    Node,
-    Part,
-    Reach,
-    Sheet,
-    Side,
-    Step,
-    Unsolved,
-)
+from screwkit.certificates.records import Case, Locus, Node, Part, Reach, Sheet, Side
 from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.texts import RefusedError, read
 

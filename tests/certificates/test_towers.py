@@ -24,17 +24,9 @@ from certificates.forged import (
 
 from screwkit.case import load_text
 from screwkit.certificates.coefficients import Coefficients
+from screwkit.certificates.equations_told import Multiple, Step, Unsolved
 from screwkit.certificates.postures import Postures, Way
-from screwkit.certificates.records import (
-    Case,
-    Locus,
-    Multiple,
-    Node,
-    Part,
-    Reach,
-    Step,
-    Unsolved,
-)
+from screwkit.certificates.records import Case, Locus, Node, Part, Reach
 from screwkit.certificates.sheets import Sheets
 from screwkit.certificates.texts import RefusedError, read
 from screwkit.certificates.towers import Towers
