@@ -258,11 +258,13 @@ def sum_by_cramer(known: Conditions, place: Place) -> Sum | None:
 def _wanted(known: Conditions, place: Place) -> list[Polynomial]:
     """Factors of equations of components that seem to hold, and are not shown to.
 
-    Those of components of which the fewest are left come first.
+    Those of components of which the fewest are left come first.  Squares of axes that
+    seem to be 0 are asked for too: nothing is there.
     """
     branch = place.branch
     found = []
-    for equations in known.problem.components:
+    squares = ([square] for square in known.problem.axes.values() if branch.points)
+    for equations in chain(known.problem.components, squares):
         if branch.points and not known.all_vanish(equations, branch):
             continue
         left = []

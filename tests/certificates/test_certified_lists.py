@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 from one_answer import with_strata
 
@@ -232,3 +233,57 @@ def test_a_rod_that_cannot_stand_across_its_slide_is_never_singular(
     assert limb.complete
     assert limb.certified
     assert not limb.components
+
+
+STRUT = """
+screwkit: 1
+name: strut
+geometry: posture
+base: base
+platform: platform
+links: [base, platform, lower, upper]
+variables:
+  y: 0.1
+  z: 1.5
+  b: {value: 0.2, angle: true}
+  c: {value: 0.3, angle: true}
+pose: {translation: [0, y, z], rotation: {euler: xyz, angles: [b, c, 0]}}
+points:
+  A: [2, 0, 0]
+  B: {link: platform, at: [1, 0, 0]}
+vectors:
+  i: [1, 0, 0]
+  p: {link: platform, at: [0, 1, 0]}
+joints:
+  - {name: U, type: universal, parent: base, child: lower, axes: [i, p], point: A}
+  - {name: P, type: prismatic, parent: lower, child: upper, axis: B - A}
+  - {name: R, type: revolute, parent: upper, child: platform, axis: p, point: B}
+"""
+
+
+def test_where_only_a_strut_of_complex_length_0_would_be_singular(
+    tmp_path: Path,
+) -> None:
+    """B stands cos c along i, A at 2: the strut s has a length, 1 at least.
+
+    The hinges at A and B differ by a translation across s and p, which is 0 where s is
+    along p: never, as p is across i.
+    """
+    file = tmp_path / "strut.yaml"
+    file.write_text(STRUT, "utf-8")
+    (limb,) = screwkit.singularities(screwkit.load(file), certificate=True).limb
+    assert (limb.generic_rank, limb.complete, limb.certified) == (4, True, True)
+    assert not limb.components
+    source = np.random.default_rng(5)
+    for _ in range(200):
+        y, z, b, c = source.uniform(-3, 3, 4)
+        p = np.array([0, np.cos(b), np.sin(b)])
+        u = np.array([np.cos(c), np.sin(b) * np.sin(c), -np.cos(b) * np.sin(c)])
+        i, place, end = np.eye(3)[0], np.array([2, 0, 0]), np.array([0, y, z]) + u
+        columns = [
+            [*i, *np.cross(place, i)],
+            [*p, *np.cross(place, p)],
+            [0, 0, 0, *(end - place)],
+            [*p, *np.cross(end, p)],
+        ]
+        assert np.linalg.svd(np.array(columns))[1][3] > 1e-3
