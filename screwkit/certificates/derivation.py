@@ -78,12 +78,15 @@ class ProofSearch(SheetNodes):
     Attributes:
         rank: Of the matrix in general.
         late: Whether sums that leave more than one case unsolved come after minors.
+        patient: Whether sums by Cramer's rule are looked for where nothing else helps,
+            and squares of axes among what conditions imply: these take long.
         trials: Asks whether sheets lie on components; None: it is not tried.
         source: Of the choice of minors.
     """
 
     rank: int
     late: bool = False
+    patient: bool = False
     trials: SheetTrials | None = None
     source: random.Random = field(default_factory=lambda: random.Random(5))
 
@@ -166,7 +169,7 @@ class ProofSearch(SheetNodes):
             found = equation_times_dimensions(self, place)
             if found is not None:
                 return found
-        found = implied_equation(self, place)
+        found = implied_equation(self, place, axes=self.patient)
         if found is None or not self.late:
             return found
         return found if len(self.left_open(place, found)) < 2 else None
@@ -217,11 +220,15 @@ class ProofSearch(SheetNodes):
         try:
             choice, roots = self.chosen_minor(place)
         except NotProvedError:
-            for sought in (sum_by_cramer, sum_without_angles):
-                found = self.of_a_sum(place, number, sought(self, place))
-                if found is not None:
-                    return found
-            raise
+            found = None
+            if self.patient:
+                found = self.of_a_sum(place, number, sum_by_cramer(self, place))
+            found = found or self.of_a_sum(
+                place, number, sum_without_angles(self, place)
+            )
+            if found is None:
+                raise
+            return found
         return self.said(place, number, choice, roots)
 
     def chosen_minor(self, place: Place) -> tuple[Choice, tuple[Unsolved, ...]]:
@@ -313,6 +320,7 @@ def proof_of(
     *,
     asks_limbs: bool,
     late: bool = False,
+    patient: bool = False,
     trials: SheetTrials | None = None,
 ) -> Node:
     """A proof that nothing is missing from a list of components.
@@ -322,6 +330,7 @@ def proof_of(
         asks_limbs: Whether limbs are asked before minors of the whole matrix, which may
             be products all the same.
         late: Whether sums that leave more than one case unsolved come after minors.
+        patient: Whether it looks for more sums, where nothing else is left.
         trials: Asks whether sheets lie on components.
 
     Raises:
@@ -334,6 +343,12 @@ def proof_of(
     start = with_conditions(problem.root, problem.demands)
     longest = LONGEST_OF_LATE if late else LONGEST
     search = ProofSearch(
-        problem, rank, late, trials=trials, longest=longest, asks_limbs=asks_limbs
+        problem,
+        rank,
+        late,
+        patient,
+        trials=trials,
+        longest=longest,
+        asks_limbs=asks_limbs,
     )
     return search.node(Place(start, problem.demands))

@@ -127,13 +127,16 @@ class PartDerivation:
             NotProvedError: If none was found.
             RefusedError: If the checker does not take it.
         """
-        if self._subject.limbs:
+        limbs = bool(self._subject.limbs)
+        if limbs:
             with suppress(NotProvedError, RefusedError):
                 return self._by_search(part, loci, asks_limbs=True)
         with suppress(NotProvedError, RefusedError):
             return self._by_search(part, loci)
         with suppress(NotProvedError, RefusedError):
             return self._by_search(part, loci, late=True)
+        with suppress(NotProvedError, RefusedError):
+            return self._by_search(part, loci, asks_limbs=limbs, patient=True)
         return self._by_search(part, loci, late=True, sheets=True)
 
     def _by_search(
@@ -143,12 +146,15 @@ class PartDerivation:
         *,
         asks_limbs: bool = False,
         late: bool = False,
+        patient: bool = False,
         sheets: bool = False,
     ) -> Part:
         problem = self._problem(loci, part.question)
         bare = replace(part, proof=None)
         trials = SheetTrials(self._subject.mechanism, bare) if sheets else None
-        proof = proof_of(problem, asks_limbs=asks_limbs, late=late, trials=trials)
+        proof = proof_of(
+            problem, asks_limbs=asks_limbs, late=late, patient=patient, trials=trials
+        )
         return self._examined(replace(part, proof=proof))
 
     def _examined(self, part: Part) -> Part:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from itertools import chain
+from itertools import chain, islice
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.eliminated_sums import sums_without, without_square_roots
@@ -28,6 +28,9 @@ from screwkit.certificates.conditions import Conditions, Place
 from screwkit.certificates.endings import Endings
 from screwkit.certificates.equations_told import Multiple
 from screwkit.certificates.steps import followed
+
+SUMS_BY_CRAMER = 2_000
+"""Of the conditions of one node, that are looked at."""
 
 
 @dataclass(frozen=True)
@@ -76,14 +79,20 @@ def _solvable(
     return None
 
 
-def implied_equation(known: Endings, place: Place) -> Sum | None:
-    """A sum that is a multiple of an equation of a component; None if not found."""
+def implied_equation(known: Endings, place: Place, *, axes: bool = False) -> Sum | None:
+    """A sum that is a multiple of an equation of a component; None if not found.
+
+    Args:
+        known: Of the problem.
+        place: The node.
+        axes: Whether squares of axes are asked for, too.
+    """
     branch = place.branch
     numbers = [n for n, (value, _) in enumerate(place.followed) if value != 0]
     values = [place.followed[number][0] for number in numbers]
     if len(values) < 2:
         return None
-    for equation in _wanted(known, place):
+    for equation in _wanted(known, place, axes=axes):
         found = made_a_sum(branch.ring, equation, values, _is_free(known, place))
         if found is not None:
             factors = known.factors(branch, found.value)
@@ -226,9 +235,10 @@ def sum_by_cramer(known: Conditions, place: Place) -> Sum | None:
     branch = place.branch
     ring, values = branch.ring, [pending.value for pending in branch.pending]
     held = {str(primitive(value)) for value in values}
-    wanted = {str(primitive(own)) for own in _wanted(known, place)}
+    wanted = {str(primitive(own)) for own in _wanted(known, place, axes=True)}
     best: tuple[tuple[int, ...], Combination, list[tuple[Factor, int]]] | None = None
-    for found in sums_by_cramer(ring, values, branch.dimensions):
+    sums = sums_by_cramer(ring, values, branch.dimensions)
+    for found in islice(sums, SUMS_BY_CRAMER):
         value = found.combination.value
         factors = known.factors(branch, value)
         if any(str(primitive(e)) in held for own, _ in factors for e in own.equations):
@@ -255,16 +265,16 @@ def sum_by_cramer(known: Conditions, place: Place) -> Sum | None:
     return Sum(terms_of(place, numbers, best[1]), tuple(best[2]))
 
 
-def _wanted(known: Conditions, place: Place) -> list[Polynomial]:
+def _wanted(known: Conditions, place: Place, *, axes: bool = False) -> list[Polynomial]:
     """Factors of equations of components that seem to hold, and are not shown to.
 
-    Those of components of which the fewest are left come first.  Squares of axes that
-    seem to be 0 are asked for too: nothing is there.
+    Those of components of which the fewest are left come first.  With squares of axes,
+    if they are asked for: where one of them is 0 nothing is.
     """
     branch = place.branch
     found = []
-    squares = ([square] for square in known.problem.axes.values() if branch.points)
-    for equations in chain(known.problem.components, squares):
+    squares = known.problem.axes.values() if axes and branch.points else ()
+    for equations in chain(known.problem.components, ([own] for own in squares)):
         if branch.points and not known.all_vanish(equations, branch):
             continue
         left = []
