@@ -115,6 +115,23 @@ class Case:
                 f"or name another body as platform",
             )
 
+    def need_known_sides(self) -> None:
+        """Refuse loci where freedoms of a joint are written for most postures alone.
+
+        Raises:
+            UndecidedError: If a normal moves of which no side is known everywhere.
+        """
+        from screwkit.mechanism.sides import without_sides  # noqa: PLC0415
+
+        for joint in without_sides(self.mechanism):
+            raise UndecidedError(
+                f"no direction is known that is at right angles to the normal of joint "
+                f"{joint.name!r} at every posture: along products of the normal with "
+                f"axes of the base the joint would seem to lose a freedom where the "
+                f"two are parallel; name one of constant length under `vectors`, if "
+                f"there is one, or give numbers with --set"
+            )
+
     @property
     def claims(self) -> tuple[Claim, ...]:
         """The expected values that the file records."""

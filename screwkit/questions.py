@@ -146,6 +146,7 @@ def singularities(
     from screwkit.analyses import singularities as analysis  # noqa: PLC0415
 
     case.need_held_platform()
+    case.need_known_sides()
     if slices or output:
         from screwkit.sliced import sliced_singularities  # noqa: PLC0415
 
@@ -238,6 +239,7 @@ def distance(
     from screwkit.distances import distance_of  # noqa: PLC0415
 
     case.need_held_platform()
+    case.need_known_sides()
     return distance_of(case, measure_of(length), within, progress, finished)
 
 
@@ -285,6 +287,7 @@ def schemes(
     from screwkit.verification import need_free_joints, with_certificate  # noqa: PLC0415
 
     case.need_held_platform()
+    case.need_known_sides()
     graph = case.graph
     if certificate:
         need_free_joints(case)

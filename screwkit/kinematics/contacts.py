@@ -158,7 +158,11 @@ class _Rows(Generic[S]):
 
 
 def _sides(place: JointPlace[S], axis: Vector[S]) -> tuple[Named[S], Named[S]]:
-    first, second = place.sides(axis)
+    return _named(place.sides(axis))
+
+
+def _named(pair: tuple[Vector[S], Vector[S]]) -> tuple[Named[S], Named[S]]:
+    first, second = pair
     return ("tangent", first), ("across", second)
 
 
@@ -185,7 +189,7 @@ def _spatial(
         case JointType.SPHERICAL | JointType.HARD_FINGER:
             found = rows.unit_forces()
         case JointType.PLANAR | JointType.PLANE:
-            sides = _sides(place, place.normal)
+            sides = _named(place.square_tangents())
             found = [*rows.forces(normal), *rows.couples(*sides)]
         case JointType.POINT:
             found = rows.forces(normal)

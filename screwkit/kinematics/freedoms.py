@@ -97,7 +97,7 @@ def _spatial(
         case JointType.SPHERICAL | JointType.HARD_FINGER:
             return _all_turns(place)
         case JointType.PLANAR:  # may be actuated: translations are measured
-            return [turn(place.normal), *map(slide, place.sides(place.normal))]
+            return [turn(place.normal), *map(slide, place.square_tangents())]
         case JointType.PLANE:
             return [turn(place.normal), *map(slide, place.tangents())]
         case JointType.POINT:

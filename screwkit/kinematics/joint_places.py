@@ -22,7 +22,12 @@ from screwkit.screw.vector import Vector
 
 @dataclass(frozen=True)
 class JointPlace(Generic[S]):
-    """A joint's directions and point in a ring; absent ones are zero."""
+    """A joint's directions and point in a ring; absent ones are zero.
+
+    Attributes:
+        known_sides: At right angles to the normal and to each other, zero nowhere; None
+            where products of the normal with axes of the base serve.
+    """
 
     ring: Ring[S]
     axes: tuple[Vector[S], ...]
@@ -30,6 +35,7 @@ class JointPlace(Generic[S]):
     normal: Vector[S]
     line: Vector[S]
     pitch: S
+    known_sides: tuple[Vector[S], Vector[S]] | None = None
 
     def rotation(self, axis: Vector[S]) -> tuple[Vector[S], Vector[S]]:
         """About a line through the point."""
@@ -47,7 +53,11 @@ class JointPlace(Generic[S]):
 
     def tangents(self) -> tuple[Vector[S], Vector[S]]:
         """Two directions that span the plane at right angles to the normal."""
-        return tangents_of(self.ring, self.normal)
+        return self.known_sides or tangents_of(self.ring, self.normal)
+
+    def square_tangents(self) -> tuple[Vector[S], Vector[S]]:
+        """The same, at right angles to each other."""
+        return self.known_sides or self.sides(self.normal)
 
     def sides(self, axis: Vector[S]) -> tuple[Vector[S], Vector[S]]:
         """Two directions at right angles to an axis and to each other."""
@@ -113,6 +123,7 @@ def joint_place(
         direction(joint.normal),
         direction(joint.line),
         ring.zero if joint.pitch is None else evaluate(joint.pitch, ring),
+        joint.sides and (direction(joint.sides[0]), direction(joint.sides[1])),
     )
 
 

@@ -77,6 +77,7 @@ def _joint(joint: Joint, values: Mapping[str, Expression], put: Put) -> Joint:
         cells = {cell.name: put(getattr(row, cell.name)) for cell in fields(MdhRow)}
         row = MdhRow(**cells)
     axes = [vector(axis) for axis in joint.axes]
+    first, second = map(vector, joint.sides or (None, None))
     pitch = joint.pitch
     return replace(
         joint,
@@ -86,6 +87,7 @@ def _joint(joint: Joint, values: Mapping[str, Expression], put: Put) -> Joint:
         axes=tuple(axis for axis in axes if axis is not None),
         point=vector(joint.point),
         normal=vector(joint.normal),
+        sides=None if first is None or second is None else (first, second),
         line=vector(joint.line),
         pitch=None if pitch is None else put(pitch),
     )

@@ -38,6 +38,7 @@ from screwkit.mechanism.places import read_places, read_pose
 from screwkit.mechanism.plane_checks import check_table_plane, refuse_height
 from screwkit.mechanism.reading import Outside, Reading
 from screwkit.mechanism.schema import MdhEntry, MechanismEntry
+from screwkit.mechanism.sides import with_sides
 from screwkit.mechanism.structure import Draft, subject
 from screwkit.mechanism.symbols import (
     default_variables,
@@ -95,6 +96,8 @@ def assembled(
     joints = tuple(
         _joint(draft, number, own, reading) for number, own in enumerate(variables)
     )
+    if entry.geometry == "posture" and entry.space == "spatial" and not faults.found:
+        joints = with_sides(joints, pose, vectors.values(), parameters)
     for joint, position in zip(joints, draft.positions, strict=True):
         path: Path = ("joints", position)
         if check_kind(joint.type, path, draft, reading):

@@ -89,6 +89,9 @@ class Joint:
         axes: Directions: one for R P H C, two for U (in parent, in child).
         point: A point of the axis, the centre, or the contact point.
         normal: Common normal of a contact or of a planar joint.
+        sides: Two directions at right angles to each other and to a normal that moves
+            with the posture, zero nowhere; None where the normal does not move, or none
+            are known.
         line: Line of contact.
         pitch: Advance per radian of a helical joint.
         held: The value at which each variable is held, None where it is free; empty
@@ -106,6 +109,7 @@ class Joint:
     axes: tuple[VectorExpression, ...] = ()
     point: VectorExpression | None = None
     normal: VectorExpression | None = None
+    sides: tuple[VectorExpression, VectorExpression] | None = None
     line: VectorExpression | None = None
     pitch: Expression | None = None
     held: tuple[Expression | None, ...] = ()
