@@ -18,7 +18,7 @@ from screwkit.algebra.division import Divisor
 from screwkit.algebra.factors import Factor, FactorLibrary
 from screwkit.algebra.half_angle import HalfAngles
 from screwkit.algebra.points import residue
-from screwkit.algebra.restrictions import Layout
+from screwkit.algebra.restrictions import Layout, coefficients
 from screwkit.algebra.substitution import Substitution
 from screwkit.algebra.trigonometric import Polynomial, primitive
 
@@ -146,7 +146,11 @@ def refined(branch: Branch, search: Search) -> list[Branch] | None:
             continue
         if pending.companions:
             continue
-        cases = possible_factors(branch, pending.value, search.library)
+        before = without(branch, pending)
+        value = _left_by_others(before, pending.value)
+        if value == 0:
+            return [before]
+        cases = possible_factors(branch, value, search.library)
         same = len(cases) == 1 and str(cases[0].equations[0]) in (
             str(pending.value),
             str(primitive(pending.value)),
@@ -154,9 +158,32 @@ def refined(branch: Branch, search: Search) -> list[Branch] | None:
         settled = same and not is_solvable(branch, cases[0].equations[0])
         if settled and _real_terms(branch, cases[0], search) is None:
             continue
-        before = without(branch, pending)
         return [part for case in cases for part in _parts_where(before, case, search)]
     return None
+
+
+def _left_by_others(branch: Branch, value: Polynomial) -> Polynomial:
+    """What a condition says where the pending ones of a branch hold.
+
+    Coefficients that one of these divides are left out: with Q = 0 pending, of
+    P·sin φ + Q·cos φ the product P·sin φ.
+    """
+    ring = branch.ring
+    known = [p.value for p in branch.pending if not p.companions]
+    degrees = value.degrees()
+    angles = range(len(ring.basis))
+    turns = [(ring.sine_index(k), ring.cosine_index(k)) for k in angles]
+    for own in (*turns, *((index,) for index in ring.symbol_indices())):
+        if not known or value == 0 or not any(degrees[place] for place in own):
+            continue
+        parts = coefficients(value, own)
+        for powers, part in parts.items():
+            if len(parts) > 1 and any(divmod(part, one)[1] == 0 for one in known):
+                gone = part
+                for place, power in zip(own, powers, strict=True):
+                    gone *= ring.context.gen(place) ** power
+                value -= gone
+    return value
 
 
 def _real_terms(

@@ -79,6 +79,27 @@ def test_conditions_that_become_the_same_are_one() -> None:
     assert parts[0].points
 
 
+def test_a_condition_says_less_where_another_holds() -> None:
+    """(u v + w)·sin p + Q·cos p, where Q is 0, is a product: u v + w = 0 or sin p = 0.
+
+    It was taken for irreducible, and searches went round in circles on it.
+    """
+    ring, (one, two, sine, product) = in_one_ring(
+        "x*sin(q) + y*cos(r) + x*y",
+        "(u*v + w)*sin(p) + (x*sin(q) + y*cos(r) + x*y)*cos(p)",
+        "sin(p)",
+        "u*v + w",
+    )
+    pending = Pending(one, one), Pending(two, two)
+    branch = Branch(ring, POSITIVE, conditions=(one, two), pending=pending)
+    parts = refined(branch, Search(FactorLibrary(ring)))
+    assert parts is not None
+    assert {part.codimension for part in parts} == {2}
+    zero = {(part.value(sine) == 0, part.value(product) == 0) for part in parts}
+    assert zero == {(True, False), (False, True)}
+    assert all(part.points for part in parts)
+
+
 def test_pending_conditions_are_solved_together() -> None:
     """√3 (u² − v²) − 6 u v = √3 on the unit circle: v = 0 or v = −√3 u, four points."""
     _, found = zeros("u^2 + v^2 - 1", "sqrt(3)*u^2 - 6*u*v - sqrt(3)*v^2 - sqrt(3)")
