@@ -59,6 +59,8 @@ def with_sides(
         parameters: Symbols of the file; those that are free make up the posture.
     """
     samples = _samples(parameters)
+    if not any(_may_turn(joint, samples) for joint in joints):
+        return tuple(joints)
     frames = [_BASE]
     if pose is not None:
         first, second, third = zip(*pose.rotation, strict=True)
