@@ -12,7 +12,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.division import Divisor
+from screwkit.algebra.half_angle import HalfAngles
 from screwkit.algebra.points import residue
+from screwkit.algebra.restrictions import Layout
 from screwkit.algebra.sums_of_conditions import multiplier
 from screwkit.algebra.trigonometric import Polynomial
 
@@ -31,6 +34,9 @@ def left_over(
         an empty list where nothing is left over; None where that was not found.
     """
     values = [v for p in branch.pending for v in (p.value, *p.beside) if v != 0]
+    layout = Layout.of(branch.ring)
+    halves = HalfAngles(branch.ring, layout)
+    divisors = [Divisor(value, branch.ring, halves, layout) for value in values]
 
     def is_there(value: Polynomial) -> bool:
         return bool(branch.points) and all(
@@ -41,7 +47,7 @@ def left_over(
         multipliers = []
         for equation in equations:
             value = branch.value(equation)
-            if value == 0:
+            if value == 0 or any(d.divide(value) is not None for d in divisors):
                 continue
             found = multiplier(branch.ring, value, values, is_there)
             if found is None:

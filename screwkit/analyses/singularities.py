@@ -14,7 +14,7 @@ from screwkit.algebra.branches import Branch
 from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
-from screwkit.analyses.actuation_parts import actuation_parts
+from screwkit.analyses.actuation_parts import actuation_parts, six_lines
 from screwkit.analyses.hybrid_limbs import hybrid_limb, strata_of
 from screwkit.analyses.one_component import (
     among,
@@ -31,7 +31,6 @@ from screwkit.kinematics.loop_columns import loop_columns
 from screwkit.kinematics.loop_state import LoopState
 from screwkit.kinematics.told_parts import told_parts
 from screwkit.loci.actuation import actuation_locus
-from screwkit.loci.actuation_locus import ActuationLocus
 from screwkit.loci.canonical import in_known_conditions
 from screwkit.loci.exact_equations import (
     ExactPieces,
@@ -55,6 +54,7 @@ from screwkit.loci.pieces import Piece, pieces_of, told_apart, without_contained
 from screwkit.loci.rank_drop import RankDrop, generic_rank
 from screwkit.loci.searching_again import searched_again
 from screwkit.loci.strata import in_ring
+from screwkit.loci.surely_singular import all_lost
 from screwkit.loci.unhurried import Unhurried
 from screwkit.loci.wording import equations_of
 from screwkit.loci.wrench_blocks import short_minors
@@ -68,7 +68,6 @@ from screwkit.results.singularities import (
     LimbSingularities,
     Singularities,
 )
-from screwkit.results.superbracket import Superbracket
 
 _UNFINISHED = (
     "the search for more had not ended; the equations may hold at regular postures too"
@@ -251,9 +250,6 @@ def constraint_singularities(
         for stratum in limb.strata
         if len(stratum.equations) == 1
     ]
-    meanings = Meanings(
-        framed, root, library, figures_of(assembly), figures_on(assembly), known
-    )
     kind = partial(loop_state, limbs=limbs)
 
     def exactly(pieces: Sequence[Piece]) -> ExactPieces:
@@ -299,6 +295,15 @@ def constraint_singularities(
             early=Unhurried(early),
         ),
         exactly,
+    )
+    meanings = Meanings(
+        framed,
+        root,
+        library,
+        figures_of(assembly),
+        figures_on(assembly),
+        known,
+        partial(all_lost, found.last.generic, limbs) if found.complete else None,
     )
     components = described(found.exact.pieces, meanings)
     return ConstraintSingularities(
@@ -367,9 +372,8 @@ def actuation_singularities(
     locus = actuation_locus(assembly, actuated)
     parts = actuation_parts(assembly, locus, actuated)
     moving = [(p, c) for p, c in parts if c.platform_freedom]
-    bracket = None
-    if locus.admissible:
-        bracket = superbracket(assembly, actuated, [piece for piece, _ in moving])
+    pieces = [piece for piece, _ in moving]
+    bracket = superbracket(assembly, actuated, pieces) if locus.admissible else None
     reason = locus.reason
     if bracket is not None and not locus.complete and not locus.pieces:
         told = six_lines_in_words(assembly, actuated, bracket)
@@ -380,21 +384,13 @@ def actuation_singularities(
         generic_rank=assembly.dimension - locus.platform_freedom,
         complete=locus.complete,
         components=tuple(
-            c if c.geometry else replace(c, geometry=_six_lines(n, p, locus, bracket))
-            for n, (p, c) in enumerate(moving)
+            c
+            if c.geometry
+            else replace(c, geometry=six_lines(n, pieces, locus, bracket))
+            for n, (_, c) in enumerate(moving)
         ),
         idle=tuple(c for _, c in parts if not c.platform_freedom),
         witness=locus.witness,
         reason=reason,
         superbracket=bracket,
     )
-
-
-def _six_lines(
-    number: int, piece: Piece, locus: ActuationLocus, bracket: Superbracket | None
-) -> str | None:
-    """How the six lines lie that hold the platform, where no shorter figure is it."""
-    for factor in bracket.factors if bracket else ():
-        if factor.holds == "exactly" and factor.components == (number,):
-            return factor.words
-    return locus.meanings.of_six_lines(piece) if locus.meanings else None

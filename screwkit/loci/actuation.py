@@ -30,7 +30,7 @@ from screwkit.loci.hybrid_actuation import hybrid_actuation_locus
 from screwkit.loci.lasting_wrenches import all_are_held
 from screwkit.loci.loop_drop import loop_state
 from screwkit.loci.meanings import Meanings
-from screwkit.loci.mechanism_figures import figures_of
+from screwkit.loci.mechanism_figures import figures_of, figures_on
 from screwkit.loci.passive import PassiveSystem
 from screwkit.loci.pieces import (
     Piece,
@@ -42,6 +42,7 @@ from screwkit.loci.pieces import (
 )
 from screwkit.loci.rank_drop import Column, rank_drop
 from screwkit.loci.searching_again import searched_again
+from screwkit.loci.surely_singular import all_move
 from screwkit.loci.witness import Witnesses
 from screwkit.loci.wrench_sums import height_of
 
@@ -69,7 +70,6 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
         return hybrid_actuation_locus(assembly, actuated)
     framed = assembly.common_twists
     root, library = assembly.root(framed.ring), assembly.library(framed.ring)
-    meanings = Meanings(framed, root, library, figures_of(assembly, actuated))
     limbs = [
         assembly.told([joint for joint in limb.joints if joint in passive])
         for limb in assembly.limbs
@@ -77,6 +77,14 @@ def actuation_locus(assembly: Assembly, actuated: Sequence[str]) -> ActuationLoc
     scheme = _Scheme(root, library, limbs, partial(_state, system, passive=passive))
     found = searched_again(scheme.search, scheme.exactly)
     pieces = found.exact.pieces
+    meanings = Meanings(
+        framed,
+        root,
+        library,
+        figures_of(assembly, actuated),
+        figures_on(assembly, actuated),
+        singular=partial(all_move, limbs) if found.complete else None,
+    )
     return ActuationLocus(
         True,
         freedom,

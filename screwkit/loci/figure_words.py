@@ -42,6 +42,12 @@ def dependent(
     if len(screws) == 3 and rank_left == 2 and len(lines) == 2:
         rows = [generic[i] for i, s in enumerate(screws) if s.is_line]
         return _two_and_a_couple(lines, free[0], rows, prime)
+    if len(screws) == 4 and rank_left == 3 and len(lines) == 2:
+        rows = [generic[i] for i, s in enumerate(screws) if s.is_line]
+        if rank([row[DIRECTION] for row in rows], prime) == 1:
+            # Their difference is free: it is normal to their plane.
+            plane = f"the normal of the plane of {called(lines)}"
+            return f"{called(free)} and {plane} are parallel to one plane"
     return _complex(screws, rank_left)
 
 

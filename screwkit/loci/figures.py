@@ -100,6 +100,7 @@ class Figures:
         self._given = screws
         self._always = directions
         self._forces = forces
+        self._beside: dict[object, Sequence[Polynomial] | None] = {}
 
     def of(self, piece: Piece, smallest: int = 1, largest: int = 5) -> str | None:
         """A sentence that holds exactly on the piece; None where none was found.
@@ -109,26 +110,40 @@ class Figures:
             smallest: The fewest screws that are looked at together.
             largest: The most; six lines can only be said to lie in a linear complex.
         """
+        provisional: str | None = None
+        for sentence, beside in self.compared(piece, smallest, largest):
+            if not beside:
+                return sentence
+            given = proviso(self._framed.ring, beside)
+            if given is not None and provisional is None:
+                provisional = f"{sentence} ({given})"
+        return provisional
+
+    def compared(
+        self, piece: Piece, smallest: int = 1, largest: int = 5
+    ) -> Iterator[tuple[str, Sequence[Polynomial]]]:
+        """What is dependent on a piece, and on which other conditions it is too.
+
+        See `of`.  What holds on sets beside that are not known is left out.
+        """
         compared = _COMPARED
         if piece.codimension > 1 and len(piece.equations) > 1:
             largest, compared = min(largest, _OF_SEVERAL), _COMPARED // 4
         on = [point for branch in piece.branches[:2] for point in branch.points]
-        provisional: str | None = None
         if not on or not self._root.points:
-            return None
+            return
         for view, chosen, left in islice(
             self._dependent(on, smallest, largest), compared
         ):
             sentence = self._sentence(view, chosen, left)
+            key = sentence, piece.texts
             if sentence is None:
                 continue
-            beside = self._beside(piece, view, chosen, left)
-            if beside == []:
-                return sentence
-            given = proviso(self._framed.ring, beside) if beside else None
-            if given is not None and provisional is None:
-                provisional = f"{sentence} ({given})"
-        return provisional
+            if key not in self._beside:
+                self._beside[key] = self._zeros_beside(piece, view, chosen, left)
+            beside = self._beside[key]
+            if beside is not None:
+                yield sentence, beside
 
     def holding(
         self, piece: Piece, largest: int = 3
@@ -285,7 +300,7 @@ class Figures:
         rows = [[residue(x, point, prime) for x in view.columns[i]] for i in chosen]
         return view.words(screws, left, rows, prime)
 
-    def _beside(
+    def _zeros_beside(
         self, piece: Piece, view: View, chosen: Sequence[int], left: int
     ) -> list[Polynomial] | None:
         minors = self._minors(view, chosen, left)

@@ -27,8 +27,10 @@ from screwkit.loci.named_screws import (
     NamedScrew,
     joint_screws,
 )
+from screwkit.loci.placed_features import features_of
 from screwkit.loci.placed_points import (
     PlacedPoint,
+    common_normals,
     normal_directions,
     placed_points,
     sample_points,
@@ -72,7 +74,10 @@ def wrench_screws(
         is_firm = partial(_is_firm, assembly, points) if firm else None
         lines, wanted = reciprocal_lines(passive, own, points, on or samples, is_firm)
         if len(lines) < wanted and limb.elements is None:
-            more = normal_directions(points, own, framed.ring)[:_NORMALS]
+            more = [
+                *normal_directions(points, own, framed.ring)[:_NORMALS],
+                *common_normals(features_of(framed), number, framed.ring)[:_NORMALS],
+            ]
             own += range(len(points), len(points) + len(more))
             points += more
             lines, _ = reciprocal_lines(passive, own, points, on or samples, is_firm)
@@ -125,7 +130,7 @@ def _join(
     column = tuple(ring.normal(value) for value in wrench)
     if a.constructed or b.constructed:
         place, way = (b, a) if a.constructed else (a, b)
-        name = f"through {place.name} normal to axes {way.name}"
+        name = f"through {place.name} {way.name}"
         return NamedScrew(column, JOIN, name, limb)
     if a.ideal and b.ideal:
         name = " and ".join(_axis(p) for p in (a, b))

@@ -9,7 +9,7 @@ References: [CoxLittleOShea] §9.6 (smooth points, tangent spaces).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factors import FactorLibrary
@@ -25,6 +25,7 @@ def up_to_others(
     root: Branch,
     library: FactorLibrary,
     others: Sequence[Piece] = (),
+    singular: Callable[[Branch], bool] | None = None,
 ) -> Conjunction | None:
     """Statements that hold on a piece and, but for it, inside few other components.
 
@@ -34,12 +35,15 @@ def up_to_others(
         root: The space in which it lies.
         library: Factors met before, of the same ring.
         others: The components of its list, in their order.
+        singular: See `stated`.
 
     Returns:
         None where none were found that are proved to hold nowhere else.
     """
     chosen = _independent(piece, said)
-    return stated(chosen, piece, root, library, others, said) if chosen else None
+    if not chosen:
+        return None
+    return stated(chosen, piece, root, library, others, said, singular)
 
 
 def _independent(piece: Piece, said: Sequence[Said]) -> list[Said]:

@@ -19,14 +19,17 @@ from screwkit.algebra.points import Point as ExactPoint
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, primitive
 from screwkit.kinematics.frames import FramedTwists
+from screwkit.loci.common_lines import AxesPlane, limb_planes, with_common_line
 from screwkit.loci.conjunctions import conjunction
+from screwkit.loci.far_statements import far_statements
 from screwkit.loci.features import FAR, LONG, Features, Statement, statements
 from screwkit.loci.figures import Figures
 from screwkit.loci.local_conjunctions import up_to_others
 from screwkit.loci.pieces import Piece, pieces_of
-from screwkit.loci.placed_features import Residue, features_at, features_of
+from screwkit.loci.placed_features import Residue, bands_of, features_at, features_of
 from screwkit.loci.said_together import Conjunction, Said, is_met, where_else
 from screwkit.loci.same_zeros import proviso, without_condition
+from screwkit.loci.shared_figures import shared_figure
 
 _GIVEN = "(given"
 _OF_TWO = ("line", "on", "coincide", "parallel", "perpendicular", "meet")
@@ -47,12 +50,14 @@ class Meanings:
         figures: Sequence[Figures] = (),
         figures_on: Callable[[Piece, bool], Figures] | None = None,
         conditions: Sequence[Polynomial] = (),
+        singular: Callable[[Branch], bool] | None = None,
     ) -> None:
         """What is looked at: axes and points, then figures of lines.
 
         ``figures_on`` gives lines that a limb resists along on a piece alone, rather
         such as are lost nowhere if that is asked; ``conditions`` are those of single
-        limbs, each irreducible.
+        limbs, each irreducible; ``singular`` tells whether all of a branch is, where
+        all singular postures are known.
         """
         self._framed = framed
         self._root = root
@@ -60,6 +65,7 @@ class Meanings:
         self._figures = figures
         self._figures_on = figures_on
         self._conditions = conditions
+        self._singular = singular
         self._found: dict[frozenset[str], str | None] = {}
         self._at: dict[tuple[int, ...], Features[Residue]] = {}
 
@@ -70,12 +76,27 @@ class Meanings:
 
     @cached_property
     def _statements(self) -> tuple[Statement, ...]:
+        return self._not_everywhere(statements(self.features))
+
+    @cached_property
+    def _bands(self) -> list[tuple[str, str]]:
+        return bands_of(self._framed.ring, self.features)
+
+    @cached_property
+    def _far(self) -> tuple[Statement, ...]:
+        return self._not_everywhere(far_statements(self.features, self._bands))
+
+    @cached_property
+    def _planes(self) -> list[AxesPlane]:
+        return limb_planes(self._framed.ring, self.features, self._bands)
+
+    def _not_everywhere(self, found: Iterable[Statement]) -> tuple[Statement, ...]:
         """Those that do not hold everywhere."""
         generic = self._root.points[0]
         features = self._features_at(*generic)
         return tuple(
             statement
-            for statement in statements(self.features)
+            for statement in found
             if any(v.value for v in statement.scalars(features))
         )
 
@@ -87,7 +108,7 @@ class Meanings:
         return self._found[key]
 
     def _search(self, piece: Piece) -> str | None:
-        candidates = self._holding(piece.branches)
+        candidates = self._holding(piece.branches, 2)
         same = (s for s in candidates if self._same_set(s, piece))
         statement = next(same, None)
         if statement is not None and statement.kind not in LONG:
@@ -101,24 +122,44 @@ class Meanings:
 
     def _figure(self, piece: Piece) -> str | None:
         """Of lines that become dependent; rather without a proviso."""
-        found = [s for s in (f.of(piece) for f in self._figures) if s is not None]
-        return next((s for s in found if _GIVEN not in s), next(iter(found), None))
+        found: str | None = None
+        for figures in self._figures:
+            sentence = figures.of(piece)
+            if sentence is not None and _GIVEN not in sentence:
+                return sentence
+            found = found or sentence
+        return found
 
     def of_limb(self, piece: Piece, others: Sequence[Piece] = ()) -> str | None:
         """The same of a limb's twists; of six axes that they are dependent at least.
 
         ``others`` are all pieces of the limb.
         """
-        found = self.of(piece) or self.each_of(piece, others, None)
-        return found or self.of_six_lines(piece)
+        found = self.of(piece) or self.each_of(piece, others, "the limb")
+        return found or self.of_six_lines(piece, others, "the limb")
 
-    def of_six_lines(self, piece: Piece) -> str | None:
+    def of_six_lines(
+        self, piece: Piece, others: Sequence[Piece] = (), before: int | str = 0
+    ) -> str | None:
         """Six lines of one linear complex, which says no more than dependent."""
         found = (figures.of(piece, 6, 6) for figures in self._figures)
-        return next((sentence for sentence in found if sentence), None)
+        sentence = next((sentence for sentence in found if sentence), None)
+        return sentence or self._shared(piece, others, before, (6, 6))
+
+    def _shared(
+        self,
+        piece: Piece,
+        others: Sequence[Piece],
+        before: int | str,
+        sizes: tuple[int, int] = (1, 5),
+    ) -> str | None:
+        if len(piece.equations) > 1:
+            return None
+        ring = self._framed.ring
+        return shared_figure(ring, self._figures, piece, others, before, sizes)
 
     def each_of(
-        self, piece: Piece, others: Sequence[Piece] = (), before: int | None = 0
+        self, piece: Piece, others: Sequence[Piece] = (), before: int | str = 0
     ) -> str | None:
         """A sentence for the piece, or for each of its equations, or several together.
 
@@ -126,10 +167,11 @@ class Meanings:
             piece: A component.
             others: All components in the order in which they are counted; a sentence
                 that holds on several of them and nowhere else says so.
-            before: Components that are counted before these; None to name none.
+            before: Components that are counted before these; whose they are where that
+                is not known.
         """
         if len(piece.equations) == 1:
-            return self.of(piece)
+            return self.of(piece) or self._shared(piece, others, before)
         # Whether a statement about axes is several equations at once takes long.
         whole = self._figure(piece)
         if whole is not None:
@@ -140,15 +182,18 @@ class Meanings:
         return "; ".join(alone) or None
 
     def _together(
-        self, piece: Piece, others: Sequence[Piece], before: int | None
+        self, piece: Piece, others: Sequence[Piece], before: int | str
     ) -> list[str] | None:
         """Statements and figures that hold on the piece, as many as it takes."""
         if not all(branch.points for branch in piece.branches):
             return None
         given = self._root, self._library, others
-        found = conjunction(piece, self._said_of(piece), *given)
+        said = [*self._said_of(piece)]
+        found = conjunction(piece, said, *given)
         if found is None and self._figures_on is not None:
             found = self._with_limbs_lines(piece, others)
+        if found is None:
+            found = up_to_others(piece, said, *given, self._singular)
         if found is None:
             return None
         words = list(found.words)
@@ -157,16 +202,26 @@ class Meanings:
 
     def _said_of(self, piece: Piece) -> Iterator[Said]:
         """Of axes and points, then of dependent lines, then of more than two."""
-        holding = self._holding(piece.branches, len(piece.branches))
+        holding = self._holding(piece.branches)
         short = [s for s in holding if s.kind in _OF_TWO]
         for statement in short:
             yield from self._said(statement)
         own = [] if self._figures_on is None else [self._figures_on(piece, False)]
         for figures in (*self._figures, *own):
             yield from _dependent(figures.holding(piece), _SHORT)
+        yield from self._with_common_line(piece)
         for statement in holding:
             if statement.kind not in (*_OF_TWO, FAR):
                 yield from self._said(statement)
+        far = [s for s in holding if s.kind == FAR]
+        for statement in [*far, *self._holding(piece.branches, among=self._far)]:
+            yield from self._said(statement)
+
+    def _with_common_line(self, piece: Piece) -> Iterator[Said]:
+        given = self._framed.ring, self._planes, self._root, piece
+        for words, minors in with_common_line(*given):
+            if not any(len(minor) > _LONG_LINES for minor in minors):
+                yield words, [primitive(minor) for minor in minors]
 
     def _with_limbs_lines(
         self, piece: Piece, others: Sequence[Piece]
@@ -199,8 +254,10 @@ class Meanings:
             for sentence in [self._of_equation(condition)]
             if sentence is not None
         ]
-        said = [*named, *limbs, *lines]
-        return up_to_others(piece, said, self._root, self._library, others)
+        said = [*named, *limbs, *self._with_common_line(piece), *lines]
+        return up_to_others(
+            piece, said, self._root, self._library, others, self._singular
+        )
 
     def _lines_of_limbs(self, piece: Piece) -> list[Said]:
         if self._figures_on is None:
@@ -245,11 +302,16 @@ class Meanings:
         sentence = self.of(piece)
         return None if sentence is None or _GIVEN in sentence else sentence
 
-    def _holding(self, branches: Sequence[Branch], seen: int = 2) -> list[Statement]:
+    def _holding(
+        self,
+        branches: Sequence[Branch],
+        seen: int | None = None,
+        among: Sequence[Statement] | None = None,
+    ) -> list[Statement]:
         points = [point for branch in branches[:seen] for point in branch.points]
         if not points:
             return []
-        found = list(self._statements)
+        found = [*(self._statements if among is None else among)]
         for point in points:
             features = self._features_at(*point)
             found = [

@@ -12,6 +12,7 @@ from screwkit.algebra.trigonometric import Polynomial
 from screwkit.conventions import DIRECTION, MOMENT
 from screwkit.kinematics.assembly import Assembly
 from screwkit.kinematics.frames import FramedTwists
+from screwkit.loci.block_motions import block_motions
 from screwkit.loci.figures import Figures
 from screwkit.loci.limb_wrenches import wrench_screws
 from screwkit.loci.member_wrenches import member_wrenches
@@ -62,12 +63,18 @@ def figures_of(assembly: Assembly, locked: Collection[str] = ()) -> tuple[Figure
         *given,
         lambda: wrench_screws(assembly, locked),
         lambda: held_points(assembly, locked),
+        forces=True,
     )
     found = (axes, wrenches) if len(assembly.limbs) < 3 else (wrenches, axes)
     if not assembly.has_blocks:
         return found
     members = partial(member_wrenches, assembly.mechanism, framed, locked)
-    return (*found, Figures(*given, members))
+    # Where limbs lose freedoms unlocked, locked ones are no better.
+    behind = [
+        Figures(*given, partial(block_motions, assembly, held), directions=True)
+        for held in dict.fromkeys((tuple(locked), ()))
+    ]
+    return (*found, *behind, Figures(*given, members))
 
 
 def figures_on(

@@ -24,11 +24,13 @@ class Noun:
         one: ``axis``, ``the normal of axes``.
         many: ``axes``, ``the normals of axes``.
         between: Before every further name: ``of axes``; mostly nothing.
+        apart: Whether commas part the names, which have an "and" of their own.
     """
 
     one: str
     many: str
     between: str = ""
+    apart: bool = False
 
 
 AXIS = Noun("axis", "axes")
@@ -36,7 +38,7 @@ SLIDE = Noun("slide", "slides")
 SCREW = Noun("screw", "screws")
 LINE = Noun("line", "lines")
 NORMAL = Noun("the normal of axes", "the normals of axes", "of axes ")
-JOIN = Noun("the line", "the lines")
+JOIN = Noun("the line", "the lines", apart=True)
 
 
 @dataclass(frozen=True)
@@ -82,10 +84,12 @@ def called(screws: Sequence[NamedScrew]) -> str:
 def _group(noun: Noun, names: Sequence[str]) -> str:
     if len(names) == 1:
         return f"{noun.one} {names[0]}"
-    if noun == JOIN:  # their names have an "and" of their own
-        return f"{noun.many} {', '.join(names[:-1])}, and {names[-1]},"
-    further = [noun.between + name for name in names[1:]]
-    return f"{noun.many} {listed([names[0], *further])}"
+    first, *further = [
+        noun.between + name if n else name for n, name in enumerate(names)
+    ]
+    if noun.apart:
+        return f"{noun.many} {', '.join([first, *further[:-1]])}, and {further[-1]},"
+    return f"{noun.many} {listed([first, *further])}"
 
 
 def joint_screws(framed: FramedTwists) -> tuple[NamedScrew, ...]:

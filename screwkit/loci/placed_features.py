@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import combinations
 
 from screwkit.algebra.points import Point as ExactPoint
 from screwkit.algebra.points import residue
@@ -118,6 +119,25 @@ def features_of(framed: FramedTwists) -> Features[Polynomial]:
                 if _distinct_directions(ring, axes, (a, b)) > 1:
                     planes.append((a, b, number))
     return Features(tuple(axes), tuple(points), tuple(planes))
+
+
+def bands_of(
+    ring: TrigonometricRing, features: Features[Polynomial]
+) -> list[tuple[str, str]]:
+    """Pairs of axes that are parallel for every posture and not one line.
+
+    None where all are parallel, as in a planar linkage.
+    """
+    axes = [axis for axis in features.axes if axis.point is not None]
+    distinct = _distinct_directions(ring, axes, [axis.joint for axis in axes])
+    return [
+        (one.joint, other.joint)
+        for one, other in combinations(axes, 2)
+        if distinct > 1
+        and all(ring.normal(x) == 0 for x in features.normal(one.joint, other.joint))
+        and one.point
+        and not _passes(ring, other, one.point)
+    ]
 
 
 def _as_written(framed: FramedTwists, point: Point[Polynomial]) -> Point[Polynomial]:

@@ -18,8 +18,9 @@ from screwkit.algebra.branches import Branch
 from screwkit.algebra.points import residue
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.kinematics.assembly import Assembly
-from screwkit.loci.placed_features import features_of
-from screwkit.screw.vector import cross
+from screwkit.loci.features import Features
+from screwkit.loci.placed_features import bands_of, features_of
+from screwkit.screw.vector import cross, subtract
 
 SAMPLES = 4
 """Random postures at which incidences are seen and forms compared."""
@@ -35,7 +36,7 @@ class PlacedPoint:
         ideal: Whether it is a direction.
         arbitrary: Whether another point of its axis would do as well.
         written: Whether the file names it.
-        constructed: Whether it is the direction normal to two others.
+        constructed: Whether it is a direction that no axis has.
     """
 
     name: str
@@ -139,11 +140,32 @@ def normal_directions(
         values = [*map(ring.normal, normal), ring.zero]
         if all(value == 0 for value in values):
             continue
-        names = " and ".join(
+        first, second = (
             p.name.removeprefix("the direction of axis ") for p in (one, other)
         )
+        name = f"normal to axes {first} and {second}"
         coordinates = tuple(ring.without_divisors(values))
-        found.append(PlacedPoint(names, coordinates, ideal=True, constructed=True))
+        found.append(PlacedPoint(name, coordinates, ideal=True, constructed=True))
+    return found
+
+
+def common_normals(
+    features: Features[Polynomial], limb: int, ring: TrigonometricRing
+) -> list[PlacedPoint]:
+    """The directions from one axis of a limb to another that is parallel to it."""
+    found = []
+    for i, j in bands_of(ring, features):
+        one, other = features.axis(i), features.axis(j)
+        if one.limb != limb or other.limb != limb:
+            continue
+        assert one.point is not None
+        assert other.point is not None
+        offset = subtract(other.point, one.point)
+        across = cross(one.direction, cross(offset, one.direction))
+        values = [*map(ring.normal, across), ring.zero]
+        name = f"along the common normal of axes {i} and {j}"
+        coordinates = tuple(ring.without_divisors(values))
+        found.append(PlacedPoint(name, coordinates, ideal=True, constructed=True))
     return found
 
 

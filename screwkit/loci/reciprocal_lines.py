@@ -59,7 +59,13 @@ def reciprocal_lines(
     placed = [Sample(placed_at(points, at, prime), prime) for at, prime in samples]
     wanted = 6 - max(len(twists) for twists in passive)
     pairs = sorted(
-        combinations(own, 2),
+        (
+            pair
+            for pair in combinations(own, 2)
+            # Two directions are a couple; one that no axis has gives it no name.
+            if not all(points[i].ideal for i in pair)
+            or not any(points[i].constructed for i in pair)
+        ),
         key=lambda pair: (
             sum(points[i].constructed for i in pair),
             sum(points[i].arbitrary for i in pair),

@@ -8,7 +8,7 @@ References: [CoxLittleOShea] §4.6 (decomposition into irreducibles).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from screwkit.algebra.branches import Branch, without
@@ -24,7 +24,7 @@ from screwkit.loci.pieces import Piece, surely_in
 _BUDGET = 200  # case distinctions for several statements on the whole space
 _PENDING = 40  # and beside a multiplier
 _ADDED = 2  # statements that are added
-_INSIDE = 3  # other components inside which a sentence may hold too
+_INSIDE = 3  # other components, inside which a sentence may hold too, that are named
 
 Said = tuple[str, Sequence[Polynomial]]
 """A statement in words, and what vanishes where it holds."""
@@ -38,38 +38,47 @@ class Conjunction:
         words: None of them to spare.
         elsewhere: Numbers of other components on which they hold too.
         inside: Numbers of others inside which they may hold at special postures.
+        further: Whether they may hold inside others that are not told.
     """
 
     words: tuple[str, ...]
     elsewhere: tuple[int, ...] = ()
     inside: tuple[int, ...] = ()
+    further: bool = False
 
 
-def where_else(found: Conjunction, count: int, before: int | None) -> str:
+def where_else(found: Conjunction, count: int, before: int | str) -> str:
     """On which other components sentences hold, in brackets; empty if on none.
 
     Args:
         found: The sentences.
         count: Components in the list.
-        before: Components that are counted before these; None for those of a limb,
-            which are named by their number alone.
+        before: Components that are counted before these; whose they are where that
+            is not known, and they are told by how many they are.
     """
     told = []
-    if found.elsewhere and before is None and len(found.elsewhere) == count - 1:
-        noun = "component" if count == 2 else "components"
-        told.append(f"here and on the other {noun} of the limb")
-    elif found.elsewhere:
-        told.append(f"here and on {_numbered(found.elsewhere, before)}")
-    if found.inside:
+    if found.elsewhere:
+        told.append(f"here and on {others_in_words(found.elsewhere, count, before)}")
+    if found.further or len(found.inside) > _INSIDE:
+        told.append("elsewhere only inside other components")
+    elif found.inside:
         told.append(f"elsewhere only inside {_numbered(found.inside, before)}")
     return f" ({', '.join(told)})" if told else ""
 
 
-def _numbered(components: Sequence[int], before: int | None) -> str:
+def others_in_words(components: Sequence[int], count: int, before: int | str) -> str:
+    """Components of a list in words; see `where_else`."""
+    if isinstance(before, str) and len(components) == count - 1:
+        noun = "component" if count == 2 else "components"
+        return f"the other {noun} of {before}"
+    return _numbered(components, before)
+
+
+def _numbered(components: Sequence[int], before: int | str) -> str:
     """Components by the numbers under which they are listed."""
     noun = "component" if len(components) == 1 else "components"
-    if before is None:
-        return f"{len(components)} other {noun} of the limb"
+    if isinstance(before, str):
+        return f"{len(components)} other {noun} of {before}"
     return f"{noun} {listed([str(before + n + 1) for n in components])}"
 
 
@@ -128,6 +137,7 @@ def stated(
     library: FactorLibrary,
     others: Sequence[Piece] = (),
     more: Sequence[Said] = (),
+    singular: Callable[[Branch], bool] | None = None,
 ) -> Conjunction | None:
     """Statements with where else they hold, if that is proved to be all.
 
@@ -139,10 +149,12 @@ def stated(
         others: The components of its list, in their order.
         more: Statements that hold there too, added where that cuts off what lies
             inside no component.
+        singular: Whether all of a branch is singular, where the list is complete: it
+            then lies inside its components, whichever these are.
 
     Returns:
         None where they are not proved to hold on all of the piece, or where what else
-        satisfies them is not known, or lies inside no other component or many.
+        satisfies them is not known, or lies inside no other component.
     """
     for _ in range(_ADDED + 1):
         if not holds_on(said, piece, library):
@@ -162,15 +174,14 @@ def stated(
         beside.sort(key=lambda n: (n not in whole, others[n].codimension))
         met: list[int] = []
         strays = [b for b in found if not _is_met(b, others, beside, met)]
-        if not strays:
-            inside = sorted(n for n in met if n not in whole)
-            if len(inside) > _INSIDE:
-                return None
+        regular = [b for b in strays if singular is None or not singular(b)]
+        if not regular:
+            inside = tuple(sorted(n for n in met if n not in whole))
             on = tuple(sorted(n for n in met if n in whole))
-            return Conjunction(words_of(said), on, tuple(inside))
-        if not zeros.complete or not all(stray.points for stray in strays):
+            return Conjunction(words_of(said), on, inside, bool(strays))
+        if not zeros.complete or not all(branch.points for branch in regular):
             return None
-        places = [at for stray in strays for at in stray.points]
+        places = [at for branch in regular for at in branch.points]
         cuts = (one for one in more if one not in said and _fails(one, places))
         added = next(cuts, None)
         if added is None:

@@ -106,7 +106,7 @@ def _beside_half_angles(
     others = [f.equations for f in factors if _keys(ring, f.equations) != own]
     if len(others) == len(factors):
         return None
-    beside = [_one_of(ring, equations) for equations in others]
+    beside = [one_of(ring, equations) for equations in others]
     return [e for e in beside if not is_special(root, e)]
 
 
@@ -120,11 +120,11 @@ def without_condition(
     ring: TrigonometricRing, factors: Sequence[Factor], key: str
 ) -> list[Polynomial]:
     """One equation for each of the factors but the one with this `condition_key`."""
-    equations = [_one_of(ring, f.equations) for f in factors]
+    equations = [one_of(ring, f.equations) for f in factors]
     return [e for e in equations if condition_key(ring, e) != key]
 
 
-def _one_of(ring: TrigonometricRing, equations: Sequence[Polynomial]) -> Polynomial:
+def one_of(ring: TrigonometricRing, equations: Sequence[Polynomial]) -> Polynomial:
     """One equation with the real zeros of all; of long ones the first."""
     turned = _turned(ring, equations)
     if turned is not None:
@@ -162,7 +162,7 @@ def _beside_divided(
         return None
     key = str(primitive(own))
     others = [f for f in possible_factors(root, rest, library) if f.key != key]
-    found = [_one_of(root.ring, f.equations) for f in others]
+    found = [one_of(root.ring, f.equations) for f in others]
     return [e for e in found if not is_special(root, e)]
 
 

@@ -82,6 +82,26 @@ def test_statements_name_the_components_inside_which_they_hold(space: Space) -> 
     assert found == Conjunction(("left", "two", "low"))
 
 
+def test_what_is_singular_lies_inside_a_complete_list(space: Space) -> None:
+    """Whichever component that is; of what is regular nothing is taken for granted."""
+    s = space
+    origin = s.where(s.x, s.y)
+    said = [("left", [s.x]), ("two", [s.y * (s.y - 1)])]
+    given = origin, s.root, s.library, (), ()
+    found = stated(said, *given, lambda branch: True)
+    assert found == Conjunction(("left", "two"), further=True)
+    assert stated(said, *given, lambda branch: False) is None
+    # What would cut off the singular part as well is not asked to.
+    three = [("left", [s.x]), ("three", [s.y * (s.y - 1) * (s.y - 2)])]
+    more = [("low", [s.y * (s.y - 1)])]
+
+    def on_one(branch: Branch) -> bool:
+        return not any(residue(s.y - 1, *at) for at in branch.points)
+
+    found = stated(three, origin, s.root, s.library, (), more, on_one)
+    assert found == Conjunction(("left", "three", "low"), further=True)
+
+
 def test_statements_are_chosen_by_their_tangents(space: Space) -> None:
     s = space
     origin = s.where(s.x, s.y)
@@ -98,10 +118,16 @@ def test_other_components_are_told_in_brackets() -> None:
     both = Conjunction(("one",), (1, 2), (4,))
     told = " (here and on components 2 and 3, elsewhere only inside component 5)"
     assert where_else(both, 6, 0) == told
-    assert where_else(Conjunction(("one",), (1,)), 2, None) == (
+    assert where_else(Conjunction(("one",), (1,)), 2, "the limb") == (
         " (here and on the other component of the limb)"
     )
     assert where_else(Conjunction(("one",)), 2, 0) == ""
+    many = " (elsewhere only inside other components)"
+    assert where_else(Conjunction(("one",), (), (1, 2, 3, 4)), 9, 0) == many
+    assert where_else(Conjunction(("one",), (), (), further=True), 9, 0) == many
+    assert where_else(Conjunction(("one",), (1,)), 3, "the scheme") == (
+        " (here and on 1 other component of the scheme)"
+    )
 
 
 def _line(point: Array, along: Array) -> Array:
