@@ -28,7 +28,11 @@ if TYPE_CHECKING:
     from screwkit.loci.platform_state import States
 
 
-def mobility(case: Case, progress: Progress = silent) -> Mobility:
+def mobility(
+    case: Case,
+    progress: Progress = silent,
+    finished: Callable[[str, Any], None] = lambda name, part: None,
+) -> Mobility:
     """How movable the mechanism is, by every count, and why they differ."""
     from screwkit.analyses import mobility as analysis  # noqa: PLC0415
     from screwkit.analyses import moved as moved_analysis  # noqa: PLC0415
@@ -38,7 +42,7 @@ def mobility(case: Case, progress: Progress = silent) -> Mobility:
         answer = moved_analysis.table_mobility(case.network, table)
     else:
         cases = _motion_cases(case)
-        answer = analysis.mobility(case.network, cases, progress=progress)
+        answer = analysis.mobility(case.network, cases, progress, finished)
     if case.wanted:
         progress("mobility", "moving the mechanism")
         start = None if table is None else table.values

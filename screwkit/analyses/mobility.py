@@ -11,11 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 from screwkit.analyses.counts import counts
 from screwkit.analyses.full_cycle import full_cycle
 from screwkit.analyses.naming import Named, named
-from screwkit.analyses.on_the_motion import on_the_motion
+from screwkit.analyses.on_the_motion import OnTheMotion, on_the_motion
 from screwkit.analyses.partition import GraspPair, gamma_of, generic_blocks
 from screwkit.analyses.platform import finite_types, platform
 from screwkit.finite.finite_motion import FiniteMotion
@@ -42,25 +43,51 @@ _ON_THE_MOTION = (
     "for that posture, below"
 )
 
+_NOT_REACHED = "finite motion was not looked at yet"
+_NOT_NAMED = "what each freedom and redundant constraint is was not looked at yet"
+
 BLOCKS_UP_TO = 60
 """Joint freedoms up to which the partition is worked out block by block."""
+
+
+@dataclass(frozen=True)
+class _Start:
+    """What ranks alone tell."""
+
+    at: Motion
+    platform: Platform
+    actuation: Actuation | None
 
 
 @dataclass(frozen=True)
 class _Answer:
     """The part of the answer that is given twice: in general and at values."""
 
-    at: Motion
-    platform: Platform
-    actuation: Actuation | None
+    start: _Start
     full_cycle: FullCycle
     sample: FiniteMotion | None
+
+    @property
+    def at(self) -> Motion:
+        """Where ranks were taken."""
+        return self.start.at
+
+    @property
+    def platform(self) -> Platform:
+        """How its platform moves."""
+        return self.start.platform
+
+    @property
+    def actuation(self) -> Actuation | None:
+        """What the declared scheme leaves."""
+        return self.start.actuation
 
 
 def mobility(
     network: Network,
     cases: Callable[[str], tuple[MotionCase, ...]] | None = None,
     progress: Progress = silent,
+    finished: Callable[[str, Any], None] = lambda name, part: None,
 ) -> Mobility:
     """Answer ``mobility``: generic, and again at the values of the file.
 
@@ -69,29 +96,68 @@ def mobility(
         cases: Where the motion type changes, given the generic one; None where that is
             not asked for.
         progress: Told about each stage.
+        finished: Given what ranks alone tell, before finite motion is looked at; not
+            where loops tie joint variables: on the motion ranks may be others.
     """
-    mechanism = network.mechanism
+    progress("mobility", f"{len(network.labels)} freedoms, {len(network.loops)} loops")
+    start = _start(network)
+    early = None
+    if not network.tied:
+        open_yet = _Answer(start, FullCycle("undecided", (), _NOT_REACHED), None)
+        early = _whole(network, open_yet, Named(unnamed=_NOT_NAMED), None)
+        finished("mobility", early)
     special = None
     if network.at_values is not None:
-        special = _answer(network.at_values, progress)
-    answer = _answer(network, progress, special)
-    at, size, rank = answer.at, len(network.rows), answer.at.rank
-    about, scheme = answer.platform, answer.actuation
-    partition, table = _partition(at), connectivity(at)
+        special = _answer(_start(network.at_values), progress)
+    answer = _answer(start, progress, special)
+    about = answer.platform
     moving = on_the_motion(network, answer.full_cycle, about, answer.sample, TABLE)
     progress("mobility", "names of constraints and freedoms")
     names = there = named(*_in_numbers(answer, special))
+    if moving is not None:
+        names = Named(unnamed=_ON_THE_MOTION)
+    if early is None:
+        whole = _whole(network, answer, names, moving)
+    else:
+        whole = replace(
+            early,
+            full_cycle=answer.full_cycle,
+            platform=about,
+            redundancies=names.redundancies,
+            remaining_freedoms=names.remaining_freedoms,
+            unnamed=names.unnamed,
+        )
+    if cases is not None:
+        about = _with_cases(whole.platform, cases(whole.platform.motion_type))
+        whole = replace(whole, platform=about)
+    if special is None and moving is None:
+        return whole
+    apart = _special(whole, special or answer)
+    if moving is not None:
+        apart = replace(
+            apart,
+            redundancies=there.redundancies,
+            remaining_freedoms=there.remaining_freedoms,
+        )
+    return replace(whole, at_values=apart)
+
+
+def _whole(
+    network: Network, answer: _Answer, names: Named, moving: OnTheMotion | None
+) -> Mobility:
+    """The generic answer: at the posture, or on the motion where that is another."""
+    mechanism = network.mechanism
+    at, rank = answer.at, answer.at.rank
+    about, scheme = answer.platform, answer.actuation
+    partition, table = _partition(at), connectivity(at)
     if moving is None:
         side_by_side, workings = counts(at, rank)
         partition = _with_blocks(partition, network)
     else:
-        special, names = special or answer, Named(unnamed=_ON_THE_MOTION)
         rank, about, scheme = moving.loop_rank, moving.platform, moving.actuation
         partition, table = moving.partition, moving.connectivity
         side_by_side, workings = counts(at, rank, on_motion=True)
-    if cases is not None:
-        about = _with_cases(about, cases(about.motion_type))
-    whole = Mobility(
+    return Mobility(
         case=mechanism.name,
         title=mechanism.title,
         topology=Topology(
@@ -104,7 +170,7 @@ def mobility(
         counts=side_by_side,
         workings=workings,
         loop_rank=rank,
-        redundant_constraints=size * len(network.loops) - rank,
+        redundant_constraints=len(network.rows) * len(network.loops) - rank,
         instantaneous_mobility=len(network.labels) - rank,
         full_cycle=answer.full_cycle,
         platform=about,
@@ -119,34 +185,26 @@ def mobility(
         generic=network.has_symbols,
         on_motion=moving is not None,
     )
-    if special is None:
-        return whole
-    apart = _special(whole, special)
-    if moving is not None:
-        apart = replace(
-            apart,
-            redundancies=there.redundancies,
-            remaining_freedoms=there.remaining_freedoms,
-        )
-    return replace(whole, at_values=apart)
+
+
+def _start(network: Network) -> _Start:
+    at = network.motion
+    return _Start(at, platform(at), actuation(at))
 
 
 def _answer(
-    network: Network, progress: Progress, special: _Answer | None = None
+    start: _Start, progress: Progress, special: _Answer | None = None
 ) -> _Answer:
-    freedoms = len(network.labels)
-    progress("mobility", f"{freedoms} freedoms, {len(network.loops)} loops")
-    at = network.motion
-    about = platform(at)
+    at, about = start.at, start.platform
     progress("mobility", "finite motion")
     known = None
     if special is not None and special.at.rank == at.rank:
         known = special.full_cycle
-    cycle, sample = full_cycle(network, at, about.motion_type, known)
+    cycle, sample = full_cycle(at.network, at, about.motion_type, known)
     if sample is None and special is not None:
         sample = special.sample
     about = finite_types(about, cycle, at.mobility)
-    return _Answer(at, about, actuation(at), cycle, sample)
+    return _Answer(replace(start, platform=about), cycle, sample)
 
 
 def _in_numbers(answer: _Answer, special: _Answer | None) -> tuple[Network, Motion]:

@@ -17,10 +17,11 @@ from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import primitive
 from screwkit.kinematics.assembly import Assembly
+from screwkit.loci.figures import Figures, figure_among
 from screwkit.loci.hybrid_actuation import hybrid_actuation_locus
 from screwkit.loci.limb_extensors import Content, Minor
 from screwkit.loci.meanings import Meanings
-from screwkit.loci.mechanism_figures import axes_of
+from screwkit.loci.mechanism_figures import axes_of, figures_of
 from screwkit.loci.passive import PassiveSystem, Ranks
 from screwkit.loci.pieces import Piece
 from screwkit.loci.witness import Witnesses
@@ -28,6 +29,8 @@ from screwkit.results.schemes import LocusFactor
 
 _NAMED = 80  # terms; no statement of the catalogue is longer
 _LOOKED_AT = 60  # minors of one scheme
+
+_BY_WRENCHES = 40  # factors that are compared with the wrenches of their schemes
 
 _REAL = 40  # case distinctions for the real zeros of a factor
 
@@ -53,11 +56,13 @@ class LociOfSchemes:
     left: int
     counts: Counter[str] = field(default_factory=Counter)
     seen: dict[str, Factor] = field(default_factory=dict)
+    schemes: dict[str, Sequence[str]] = field(default_factory=dict)
     left_out: set[str] = field(default_factory=set)
     tables: dict[str, list[list[Ranks]]] = field(default_factory=dict)
     vanishing: dict[str, bool] = field(default_factory=dict)
     real: dict[str, list[list[Ranks]]] = field(default_factory=dict)
     factored: dict[str, Content] = field(default_factory=dict)
+    figures: dict[Sequence[str], tuple[Figures, ...]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         framed = self.assembly.common_twists
@@ -240,13 +245,25 @@ class LociOfSchemes:
         given = self.assembly.common_twists, self.root, self.library
         meanings = Meanings(*given, axes_of(*given))
         found = []
+        left = _BY_WRENCHES
         for key, count in self.counts.most_common():
             f = self.seen[key]
             terms = len(f.equations[0])
-            meaning = None
-            if terms <= _NAMED:
-                branches = restricted(self.root, f.equations[0], f.equations[1:])
-                piece = Piece(f.equations, tuple(branches))
-                meaning = meanings.of(piece) if branches else None
+            piece = self._piece(f) if terms <= _NAMED else None
+            meaning = meanings.of(piece) if piece else None
+            if piece and meaning is None and left:
+                left -= 1
+                meaning = figure_among(self._wrenches(self.schemes[key]), piece)
             found.append(LocusFactor(self.text(f), meaning, terms, count))
         return tuple(sorted(found, key=lambda f: (f.terms, f.equation)))
+
+    def _piece(self, f: Factor) -> Piece | None:
+        branches = restricted(self.root, f.equations[0], f.equations[1:])
+        return Piece(f.equations, tuple(branches)) if branches else None
+
+    def _wrenches(self, actuated: Sequence[str]) -> tuple[Figures, ...]:
+        """What limbs transmit with these joints locked."""
+        key = tuple(actuated)
+        if key not in self.figures:
+            self.figures[key] = figures_of(self.assembly, key)
+        return self.figures[key]

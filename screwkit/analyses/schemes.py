@@ -199,6 +199,7 @@ def _scheme(work: LociOfSchemes, actuated: tuple[str, ...], state: LoopState) ->
     for f, _ in locus:
         work.counts[f.key] += 1
         work.seen[f.key] = f
+        work.schemes.setdefault(f.key, actuated)
         text = work.text(f)
         texts.append(text)
         if work.is_idle(f, passive):

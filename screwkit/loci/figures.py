@@ -9,7 +9,7 @@ References: [Merlet1989]; [LongCaroKhalil2012] Table 3.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations, islice
@@ -39,6 +39,9 @@ _SETS = 4_000  # sets of screws that are tried at points
 _COMPARED = 12  # of which so many are compared with the piece
 _COSTLIEST = 10**13  # the terms of the screws of one minor, multiplied
 _OF_SEVERAL = 2  # screws whose dependence takes several equations
+
+GIVEN = "(given"
+"""What sentences with a proviso contain."""
 
 ExactPoint = tuple[Sequence[int], int]
 Column = tuple[Polynomial, ...]
@@ -318,6 +321,17 @@ class Figures:
         if prod(sizes[: left + 1]) > _COSTLIEST:
             return None
         return [ring.normal(m) for m in minors_of_size(ring, columns, left + 1)]
+
+
+def figure_among(figures: Iterable[Figures], piece: Piece) -> str | None:
+    """A sentence for a piece, rather without a proviso; None where none was found."""
+    found: str | None = None
+    for own in figures:
+        sentence = own.of(piece)
+        if sentence is not None and GIVEN not in sentence:
+            return sentence
+        found = found or sentence
+    return found
 
 
 def _dot(a: Sequence[Polynomial], b: Sequence[Polynomial]) -> Polynomial:

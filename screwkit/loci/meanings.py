@@ -23,7 +23,7 @@ from screwkit.loci.common_lines import AxesPlane, limb_planes, with_common_line
 from screwkit.loci.conjunctions import conjunction
 from screwkit.loci.far_statements import far_statements
 from screwkit.loci.features import FAR, LONG, Features, Statement, statements
-from screwkit.loci.figures import Figures
+from screwkit.loci.figures import GIVEN, Figures, figure_among
 from screwkit.loci.local_conjunctions import up_to_others
 from screwkit.loci.pieces import Piece, pieces_of
 from screwkit.loci.placed_features import Residue, bands_of, features_at, features_of
@@ -31,7 +31,6 @@ from screwkit.loci.said_together import Conjunction, Said, is_met, where_else
 from screwkit.loci.same_zeros import proviso, without_condition
 from screwkit.loci.shared_figures import shared_figure
 
-_GIVEN = "(given"
 _OF_TWO = ("line", "on", "coincide", "parallel", "perpendicular", "meet")
 _SHORT = 60  # terms of a statement that is looked at together with others
 _DEPENDENT = 20  # figures of one kind that are looked at together
@@ -114,7 +113,7 @@ class Meanings:
         if statement is not None and statement.kind not in LONG:
             return statement.words
         figure = self._figure(piece)
-        if figure is not None and _GIVEN not in figure:
+        if figure is not None and GIVEN not in figure:
             return figure
         if statement is not None:
             return statement.words
@@ -122,13 +121,7 @@ class Meanings:
 
     def _figure(self, piece: Piece) -> str | None:
         """Of lines that become dependent; rather without a proviso."""
-        found: str | None = None
-        for figures in self._figures:
-            sentence = figures.of(piece)
-            if sentence is not None and _GIVEN not in sentence:
-                return sentence
-            found = found or sentence
-        return found
+        return figure_among(self._figures, piece)
 
     def of_limb(self, piece: Piece, others: Sequence[Piece] = ()) -> str | None:
         """The same of a limb's twists; of six axes that they are dependent at least.
@@ -300,7 +293,7 @@ class Meanings:
     def _alone(self, piece: Piece) -> str | None:
         """A sentence without proviso: others of the equations may contradict it."""
         sentence = self.of(piece)
-        return None if sentence is None or _GIVEN in sentence else sentence
+        return None if sentence is None or GIVEN in sentence else sentence
 
     def _holding(
         self,

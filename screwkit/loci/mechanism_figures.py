@@ -63,6 +63,7 @@ def figures_of(assembly: Assembly, locked: Collection[str] = ()) -> tuple[Figure
         *given,
         lambda: wrench_screws(assembly, locked),
         lambda: held_points(assembly, locked),
+        directions=True,
         forces=True,
     )
     found = (axes, wrenches) if len(assembly.limbs) < 3 else (wrenches, axes)
