@@ -9,6 +9,17 @@ if TYPE_CHECKING:
     from screwkit.case import Case as Case
     from screwkit.case import bundled_cases as bundled_cases
     from screwkit.case import load as load
+    from screwkit.errors import ExpressionError as ExpressionError
+    from screwkit.errors import FrameMismatchError as FrameMismatchError
+    from screwkit.errors import MechanismFileError as MechanismFileError
+    from screwkit.errors import MissingToolError as MissingToolError
+    from screwkit.errors import ScrewkitError as ScrewkitError
+    from screwkit.errors import TooLargeError as TooLargeError
+    from screwkit.errors import UndecidedError as UndecidedError
+    from screwkit.errors import UnfitValueError as UnfitValueError
+    from screwkit.errors import UnknownCaseError as UnknownCaseError
+    from screwkit.errors import UnknownNameError as UnknownNameError
+    from screwkit.errors import UnwritableError as UnwritableError
     from screwkit.metric_questions import manipulability as manipulability
     from screwkit.metric_questions import reach as reach
     from screwkit.metric_questions import sweep as sweep
@@ -28,6 +39,17 @@ __version__ = "0.1.0"
 
 _HOMES = {
     "Case": "screwkit.case",
+    "ExpressionError": "screwkit.errors",
+    "FrameMismatchError": "screwkit.errors",
+    "MechanismFileError": "screwkit.errors",
+    "MissingToolError": "screwkit.errors",
+    "ScrewkitError": "screwkit.errors",
+    "TooLargeError": "screwkit.errors",
+    "UndecidedError": "screwkit.errors",
+    "UnfitValueError": "screwkit.errors",
+    "UnknownCaseError": "screwkit.errors",
+    "UnknownNameError": "screwkit.errors",
+    "UnwritableError": "screwkit.errors",
     "bundled_cases": "screwkit.case",
     "load": "screwkit.case",
     "analyze": "screwkit.questions",
@@ -47,6 +69,17 @@ _HOMES = {
 }
 __all__ = [
     "Case",
+    "ExpressionError",
+    "FrameMismatchError",
+    "MechanismFileError",
+    "MissingToolError",
+    "ScrewkitError",
+    "TooLargeError",
+    "UndecidedError",
+    "UnfitValueError",
+    "UnknownCaseError",
+    "UnknownNameError",
+    "UnwritableError",
     "__version__",
     "analyze",
     "assemble",

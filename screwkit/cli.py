@@ -1,124 +1,57 @@
-"""The program: what is bundled and installed, exit codes and last words.
+"""The entry point: loads the program, and leaves quietly if that is interrupted.
 
-The exact work runs in a child process, so that no computation is beyond the reach of
-Ctrl-C.
+Libraries take a third of a second to load, and may turn Ctrl-C into errors of their
+own; nothing is lost by leaving at once.
 """
 
 from __future__ import annotations
 
+import json
 import os
+import signal
 import sys
-from typing import Annotated, NoReturn
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from types import FrameType
+from typing import NoReturn
 
-import typer
-
-from screwkit import (  # noqa: F401 -- two modules register their commands
-    __version__,
-    errors,
-    page_commands,
-    verify_command,
-)
-from screwkit.commands import app
-from screwkit.options import AsJson, Which
-from screwkit.requests import DEBUG
-
-
-def _told_version(asked: bool) -> None:
-    if asked:
-        typer.echo(f"screwkit {__version__}")
-        raise typer.Exit
-
-
-@app.callback()
-def program(
-    *,
-    version: Annotated[
-        bool,
-        typer.Option(
-            "--version", callback=_told_version, is_eager=True, help="Its version."
-        ),
-    ] = False,
-) -> None:
-    """What holds for the program as a whole."""
-
-
-@app.command()
-def cases(*, as_json: AsJson = False) -> None:
-    """The bundled cases."""
-    from screwkit.catalogue import list_cases  # noqa: PLC0415
-
-    raise typer.Exit(list_cases(as_json=as_json))
-
-
-@app.command()
-def schema(
-    which: Annotated[Which, typer.Argument(help="Whose schema.")] = Which.BOTH,
-    *,
-    as_json: AsJson = True,
-) -> None:
-    """JSON Schemas of mechanism files and of results."""
-    from screwkit.catalogue import print_schema  # noqa: PLC0415
-
-    raise typer.Exit(print_schema(which.value))
-
-
-@app.command()
-def doctor(*, as_json: AsJson = False) -> None:
-    """What is installed, and what is missing for what."""
-    from screwkit.doctor import examine  # noqa: PLC0415
-
-    raise typer.Exit(examine(as_json=as_json))
+from screwkit import __version__
+from screwkit.conventions import RESULT_SCHEMA
+from screwkit.errors import EXIT_INTERRUPTED
 
 
 def main(arguments: list[str] | None = None) -> NoReturn:
     """Run the command line and leave with its exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    sys.exit(_run([word for word in words if word != DEBUG], debug=DEBUG in words))
+    with _leaving_quietly(as_json="--json" in words):
+        from screwkit.program import run  # noqa: PLC0415
+    sys.exit(run(words))
 
 
-def _run(words: list[str], *, debug: bool) -> int:
-    if sys.stderr is None:  # closed before the start: what is told goes nowhere
-        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
-    if sys.stdout is None:
-        sys.stderr.write("screwkit: cannot write to standard output: it is closed\n")
-        return errors.EXIT_USAGE
-    for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
-            stream.reconfigure(errors="replace")
-    click = sys.modules[typer.BadParameter.__module__]
+@contextmanager
+def _leaving_quietly(*, as_json: bool) -> Iterator[None]:
+    """End at once on Ctrl-C, as the program does later on."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def leave(_number: int, _frame: FrameType | None) -> NoReturn:
+        if as_json:
+            os.write(1, f"{json.dumps(_interrupted(), indent=1)}\n".encode())
+        os.write(2, b"screwkit: interrupted\n")
+        os._exit(EXIT_INTERRUPTED)
+
+    before = signal.signal(signal.SIGINT, leave)
     try:
-        code = app(words, prog_name="screwkit", standalone_mode=False)
-        return int(code or 0)
-    except click.ClickException as error:  # type: ignore[attr-defined, unused-ignore]
-        if type(error).__name__ == "NoArgsIsHelpError":
-            error.show()
-            return errors.EXIT_USAGE
-        message = error.format_message().replace("Value error, ", "")
-        return _failed(words, message, "usage", errors.EXIT_USAGE)
-    except (KeyboardInterrupt, typer.Abort):
-        return _failed(words, "interrupted", "interrupted", errors.EXIT_INTERRUPTED)
-    except errors.MissingToolError as error:
-        return _failed(words, str(error), "tool", errors.EXIT_TOOL)
-    except errors.OutputError as error:
-        return _failed(words, str(error), "output", errors.EXIT_USAGE)
-    except (OSError, errors.ScrewkitError) as error:
-        if debug:
-            raise
-        return _failed(words, str(error), "usage", errors.EXIT_USAGE)
-    except Exception as error:
-        if debug:
-            raise
-        message = f"internal error: {type(error).__name__}: {error} (--debug)"
-        return _failed(words, message, "defect", errors.EXIT_NEGATIVE)
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
-def _failed(words: list[str], message: str, kind: str, code: int) -> int:
-    from screwkit.terminal import emit_json, note  # noqa: PLC0415
-
-    note(f"screwkit: {' '.join(message.split())}")
-    if "--json" in words and kind != "output":
-        emit_json("", {"error": {"kind": kind, "message": message}})
-    return code
+def _interrupted() -> dict[str, object]:
+    told = {"kind": "interrupted", "message": "interrupted"}
+    return {"schema": RESULT_SCHEMA, "case": "", "version": __version__, "error": told}
 
 
 if __name__ == "__main__":

@@ -88,6 +88,7 @@ def _where(stage: Stage) -> str:
 def _answered(request: Request, result: Any) -> int:
     from screwkit.reports.verdict import is_plain_yes  # noqa: PLC0415
 
+    code = errors.EXIT_DONE if is_plain_yes(result) else errors.EXIT_NEGATIVE
     shown = request.change(result) if request.change else result
     if request.deliver is not None:
         lines = request.deliver(shown)
@@ -95,13 +96,14 @@ def _answered(request: Request, result: Any) -> int:
             emit_json(request.job.case, {"written": lines})
         elif not request.quiet:
             note(*lines)
-        return errors.EXIT_DONE
+        # A report says itself what is open: it is done once it is written.
+        return errors.EXIT_DONE if request.job.question == "analyze" else code
     _show(request, shown)
     if request.beside is not None:
         lines = request.beside(shown)
         if not request.quiet:
             note(*lines)
-    return errors.EXIT_DONE if is_plain_yes(result) else errors.EXIT_NEGATIVE
+    return code
 
 
 def _show(request: Request, result: Any) -> None:

@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 
 import screwkit
+from screwkit import errors
 from screwkit.doctor import findings
 
 ROOT = Path(__file__).parents[1]
@@ -101,6 +102,19 @@ def test_every_part_has_its_place_among_the_layers() -> None:
 def test_every_public_name_imports(name: str) -> None:
     assert getattr(screwkit, name) is not None
     assert name in dir(screwkit)
+
+
+def test_what_a_caller_must_catch_is_public() -> None:
+    own = {
+        name
+        for name, found in vars(errors).items()
+        if isinstance(found, type) and issubclass(found, Exception)
+    }
+    # Standard output is the command line's affair.
+    assert own - {"OutputError"} <= {*screwkit.__all__}
+    with pytest.raises(screwkit.UnknownCaseError):
+        screwkit.load("no_such_case")
+    assert issubclass(screwkit.TooLargeError, screwkit.UndecidedError)
 
 
 def test_an_unknown_name_is_refused() -> None:

@@ -332,6 +332,43 @@ def test_schemes_go_to_a_file(
     assert [entry.name for entry in tmp_path.iterdir()] == [path.name]
 
 
+@pytest.mark.parametrize("change", [{"complete": False}, {"admissible": 0}])
+def test_a_file_does_not_change_what_the_answer_is(
+    change: dict[str, Any], engine: Answering, tmp_path: Path
+) -> None:
+    """1: done, and the answer is negative or undecided; written or shown."""
+    engine.outcome = guard.Answered(replace(samples.SCHEMES, **change))
+    path = tmp_path / "schemes.csv"
+    assert screwkit("schemes", "nao_t14", "--quiet") == 1
+    assert screwkit("schemes", "nao_t14", "--quiet", "-o", str(path)) == 1
+    assert path.exists()
+
+
+@pytest.mark.parametrize("as_json", [False, True])
+def test_an_interrupt_while_libraries_load_leaves_quietly(as_json: bool) -> None:
+    """Ctrl-C arrives when the first library beside our own is asked for."""
+    code = (
+        "import os, signal, sys\n"
+        "class Interrupting:\n"
+        "    def find_spec(self, name, path=None, target=None):\n"
+        "        if name == 'typer':\n"
+        "            os.kill(os.getpid(), signal.SIGINT)\n"
+        "sys.meta_path.insert(0, Interrupting())\n"
+        "from screwkit.cli import main\n"
+        "main(sys.argv[1:])\n"
+    )
+    words = ["mobility", "nao_t14", *(["--json"] if as_json else [])]
+    done = python("-c", code, *words)
+    assert done.returncode == 130
+    assert done.stderr == "screwkit: interrupted\n"
+    if as_json:
+        told = json.loads(done.stdout)
+        assert told["error"] == {"kind": "interrupted", "message": "interrupted"}
+        assert told.keys() >= {"schema", "case", "version"}
+    else:
+        assert not done.stdout
+
+
 @pytest.mark.usefixtures("engine")
 @pytest.mark.parametrize(
     "words",

@@ -20,6 +20,7 @@ from kinematics.random_mechanisms import (
 )
 from loci import nao
 from loci.numeric import Array, Posture, rank, values
+from loci.test_tied_loci import FOUR_BAR
 from scipy.linalg import null_space
 
 from screwkit.analyses.mobility import mobility
@@ -27,6 +28,7 @@ from screwkit.case import load, load_text
 from screwkit.kinematics.network import Network
 from screwkit.mechanism.joints import CATALOGUE
 from screwkit.mechanism.model import Joint, JointType, Mechanism
+from screwkit.results.mobility import Mobility
 
 
 def test_the_counts_are_those_of_the_literature() -> None:
@@ -231,3 +233,26 @@ def test_special_values_are_pointed_out() -> None:
     assert usual.at_values.differences == ()
     assert special.loop_rank == usual.loop_rank > special.at_values.loop_rank
     assert any("loop rank" in each for each in special.at_values.differences)
+
+
+def test_what_ranks_tell_is_there_before_finite_motion() -> None:
+    """A deadline leaves the counts: of a 3-RPR by hand, nothing of finite motion."""
+    parts: dict[str, Mobility] = {}
+    whole = mobility(load("3rpr_planar").network, finished=parts.__setitem__)
+    (early,) = parts.values()
+    assert early.counts == whole.counts
+    # 9 joints less 2 loops of three equations each; the platform moves in the plane.
+    assert (early.loop_rank, early.instantaneous_mobility) == (6, 3)
+    assert early.platform.motion_type == "2T1R"
+    assert early.full_cycle.status == "undecided"
+    assert early.full_cycle.reason == "finite motion was not looked at yet"
+    assert "not looked at yet" in early.unnamed
+    assert whole.full_cycle.status != "undecided"
+    assert not whole.unnamed
+
+
+def test_ranks_of_a_posture_are_no_part_where_loops_tie_joints() -> None:
+    """On the motion through it they may be others."""
+    parts: dict[str, Mobility] = {}
+    mobility(load_text(FOUR_BAR).network, finished=parts.__setitem__)
+    assert not parts
