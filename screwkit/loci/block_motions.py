@@ -126,6 +126,10 @@ class _Block:
 
     def _candidates(self) -> Iterator[NamedScrew]:
         yield from self._translation()
+        joints = joint_screws(self.assembly.common_twists)
+        yield from (
+            s for s in joints if s.limb == self.limb and s.is_line and not s.ball
+        )
         yield from self._joins()
         yield from self._common_lines()
 
@@ -150,8 +154,12 @@ class _Block:
             return
 
     def _joins(self) -> Iterator[NamedScrew]:
-        """Rotations about lines through two points, or along an axis."""
-        finite = [i for i in self.own if not self.points[i].ideal][:_POINTS]
+        """Rotations about lines through two points, or parallel to an axis."""
+        finite = [
+            i
+            for i in self.own
+            if not self.points[i].ideal and not self.points[i].arbitrary
+        ][:_POINTS]
         ideal = [i for i in self.own if self.points[i].ideal]
         ring = self.assembly.common_twists.ring
         pairs = [*combinations(finite, 2), *((p, d) for p in finite for d in ideal)]
