@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations, islice
 from math import prod
+from typing import Literal
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factors import FactorLibrary
@@ -80,8 +81,8 @@ class Figures:
         screws: Callable[[], Sequence[NamedScrew]],
         held: Callable[[], Sequence[NamedPoint]] = tuple,
         *,
-        directions: bool = False,
-        forces: bool = False,
+        directions: Literal["first", "last"] | None = None,
+        forces: Literal["first", "last"] | None = None,
     ) -> None:
         """Nothing is computed before the first piece is asked about.
 
@@ -91,10 +92,10 @@ class Figures:
             library: Known factors.
             screws: What may become dependent.
             held: Points through which all forces are there beside these screws.
-            directions: Look at those of lines always, not only where every translation,
-                or every couple, is among the screws.
-            forces: The screws are wrenches; look at those of lines up to couples normal
-                to an axis, where all these are among the screws.
+            directions: When to look at those of lines; without it only, and first,
+                where every translation, or every couple, is among the screws.
+            forces: The screws are wrenches; when to look at those of lines up to
+                couples normal to an axis, where all these are among the screws.
         """
         self._held = held
         self._framed = framed
@@ -171,7 +172,20 @@ class Figures:
     def _views(self) -> tuple[View, ...]:
         """Short vectors first."""
         about = [v for c in self._centres for v in self._about(*c)]
-        return (*self._directions(), *about, *self._along(), *self._whole())
+        ways, along = [*self._directions()], [*self._along()]
+        late = self._always == "last" and not self._has_all_free
+        found = [] if late else ways
+        found += [*about, *(along if self._forces == "first" else [])]
+        found += self._whole()
+        found += ways if late else []
+        return (*found, *(along if self._forces == "last" else []))
+
+    @cached_property
+    def _has_all_free(self) -> bool:
+        """Whether every translation, or every couple, is among the screws."""
+        point, prime = self._root.points[0]
+        free = [s.at(point, prime)[MOMENT] for s in self._screws if s.free]
+        return len(free) > 2 and rank(free, prime) == 3
 
     def _whole(self) -> Iterator[View]:
         screws = tuple(s for s in self._screws if not s.ball)
@@ -179,10 +193,8 @@ class Figures:
             yield View(screws, tuple(s.column for s in screws), 2, dependent)
 
     def _directions(self) -> Iterator[View]:
-        """Where every translation, or every couple, is among the screws."""
         point, prime = self._root.points[0]
-        free = [s.at(point, prime)[MOMENT] for s in self._screws if s.free]
-        if not self._always and (len(free) < 3 or rank(free, prime) < 3):
+        if not self._always and not self._has_all_free:
             return
         lines: list[NamedScrew] = []  # of parallel ones the first
         ways: list[list[int]] = []

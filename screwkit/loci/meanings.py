@@ -186,7 +186,8 @@ class Meanings:
         if found is None and self._figures_on is not None:
             found = self._with_limbs_lines(piece, others)
         if found is None:
-            found = up_to_others(piece, said, *given, self._singular)
+            more = [*said, *self._with_common_line(piece)]
+            found = up_to_others(piece, more, *given, self._singular)
         if found is None:
             return None
         words = list(found.words)
@@ -202,7 +203,6 @@ class Meanings:
         own = [] if self._figures_on is None else [self._figures_on(piece, False)]
         for figures in (*self._figures, *own):
             yield from _dependent(figures.holding(piece), _SHORT)
-        yield from self._with_common_line(piece)
         for statement in holding:
             if statement.kind not in (*_OF_TWO, FAR):
                 yield from self._said(statement)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 from functools import partial
+from typing import Literal
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factors import FactorLibrary
@@ -63,8 +64,8 @@ def figures_of(assembly: Assembly, locked: Collection[str] = ()) -> tuple[Figure
         *given,
         lambda: wrench_screws(assembly, locked),
         lambda: held_points(assembly, locked),
-        directions=True,
-        forces=True,
+        directions="last",
+        forces="last",
     )
     found = (axes, wrenches) if len(assembly.limbs) < 3 else (wrenches, axes)
     if not assembly.has_blocks:
@@ -72,7 +73,7 @@ def figures_of(assembly: Assembly, locked: Collection[str] = ()) -> tuple[Figure
     members = partial(member_wrenches, assembly.mechanism, framed, locked)
     # Where limbs lose freedoms unlocked, locked ones are no better.
     behind = [
-        Figures(*given, partial(block_motions, assembly, held), directions=True)
+        Figures(*given, partial(block_motions, assembly, held), directions="first")
         for held in dict.fromkeys((tuple(locked), ()))
     ]
     return (*found, *behind, Figures(*given, members))
@@ -91,7 +92,8 @@ def figures_on(
     def figures(piece: Piece, firm: bool) -> Figures:
         on = [point for branch in piece.branches for point in branch.points]
         screws = partial(wrench_screws, assembly, locked, on, firm=firm)
-        return Figures(*given, screws, directions=True, forces=firm)
+        along: Literal["first"] | None = "first" if firm else None
+        return Figures(*given, screws, directions="first", forces=along)
 
     return figures
 
