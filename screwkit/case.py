@@ -115,6 +115,11 @@ class Case:
                 f"or name another body as platform",
             )
 
+    def need_loci(self) -> None:
+        """Refuse what has no singular loci, or no known ones, as these say."""
+        self.need_held_platform()
+        self.need_known_sides()
+
     def need_known_sides(self) -> None:
         """Refuse loci where freedoms of a joint are written for most postures alone.
 

@@ -149,8 +149,7 @@ def singularities(
     """
     from screwkit.analyses import singularities as analysis  # noqa: PLC0415
 
-    case.need_held_platform()
-    case.need_known_sides()
+    case.need_loci()
     if slices or output:
         from screwkit.sliced import sliced_singularities  # noqa: PLC0415
 
@@ -242,8 +241,7 @@ def distance(
     """
     from screwkit.distances import distance_of  # noqa: PLC0415
 
-    case.need_held_platform()
-    case.need_known_sides()
+    case.need_loci()
     return distance_of(case, measure_of(length), within, progress, finished)
 
 
@@ -290,8 +288,7 @@ def schemes(
     from screwkit.analyses import schemes as analysis  # noqa: PLC0415
     from screwkit.verification import need_free_joints, with_certificate  # noqa: PLC0415
 
-    case.need_held_platform()
-    case.need_known_sides()
+    case.need_loci()
     graph = case.graph
     if certificate:
         need_free_joints(case)
