@@ -75,11 +75,13 @@ class OfLimb:
 
     Attributes:
         limb: Its name.
-        rank: Its twists have no less than this rank.
-        rows, columns: Coordinates and freedoms of a minor of its twists that shows it;
-            empty where the limb's own part does, or a floor of that.
+        rank: Its twists have no less than this rank; of a limb with loops inside [P; C]
+            has, see `limb_claims`.
+        rows, columns: Coordinates and freedoms of a minor that shows it; empty where
+            the limb's own part does, or a floor of that.
         fallen: In that case what follows where the rank is lower, locus by locus.
-        wrenches: (f; m), reciprocal to its twists, at the origin of the part's frame.
+        wrenches: (f; m), reciprocal to its twists, at the origin of the part's frame;
+            of a limb with loops inside reactions of these follow, six by six.
         work: Which reciprocal products are 0 as multiples of a condition, counted over
             the limb's freedoms that are not locked, wrench after wrench.
     """
@@ -205,7 +207,7 @@ class Floor:
     Attributes:
         rank: That rank, less than in general.
         loci: The equations of each: what the rank is on it is not said.
-        proof: By minors of the limb's twists, of this size.
+        proof: By minors of the limb's twists, or of [P; C], of this size.
     """
 
     rank: int
@@ -249,7 +251,8 @@ class Part:
         demands: Where loops tie joint variables: with these conditions the proof
             starts.
         closed: How closed postures are met in general.
-        floors: Of a limb that is a chain: what its rank is where it is lower.
+        floors: Of a limb: what its rank is where it is lower; by loop equations also
+            where it is less than in general.
         proof: That there is no other component; None if none was found.
         reason: Why there is no proof; or what is not shown besides.
     """

@@ -45,7 +45,7 @@ class ScrewMatrix:
 
     @property
     def is_of_limbs(self) -> bool:
-        """Whether every joint belongs to a limb, or hangs on none of its loops."""
+        """Whether limbs hold every joint of a loop: all are chains."""
         return True
 
     def height(self, limb: str) -> int:
