@@ -66,39 +66,19 @@ def sums_by_cramer(
                 if any(conditions[k].degrees()[i] for i in symbols)
                 and _is_affine(conditions[k], symbols)
             ]
-            if size > 1:
-                for chosen in combinations(own, size):
-                    yield from _of_system(ring, conditions, chosen, symbols)
-            for chosen in combinations(own, size + 1):
-                yield from _without_all(ring, conditions, chosen, symbols)
+            for count in (size, size + 1) if size > 1 else (size + 1,):
+                for chosen in combinations(own, count):
+                    columns = _coefficients(ring, conditions, chosen, symbols)
+                    # As many conditions as symbols keep one of these.
+                    kept = range(size) if count == size else (None,)
+                    for k in kept:
+                        left = [own for n, own in enumerate(columns) if n != k]
+                        yield from _summed(ring, conditions, chosen, symbols, left)
 
 
 def _is_affine(condition: Polynomial, symbols: Sequence[int]) -> bool:
     """Of first degree in some symbols together."""
     return all(sum(int(own[i]) for i in symbols) <= 1 for own in condition.monoms())
-
-
-def _of_system(
-    ring: TrigonometricRing,
-    conditions: Sequence[Polynomial],
-    chosen: Sequence[int],
-    symbols: Sequence[int],
-) -> Iterator[CramerSum]:
-    """As many sums as symbols, each with one of them."""
-    columns = _coefficients(ring, conditions, chosen, symbols)
-    for kept in range(len(symbols)):
-        others = [column for k, column in enumerate(columns) if k != kept]
-        yield from _summed(ring, conditions, chosen, symbols, others)
-
-
-def _without_all(
-    ring: TrigonometricRing,
-    conditions: Sequence[Polynomial],
-    chosen: Sequence[int],
-    symbols: Sequence[int],
-) -> Iterator[CramerSum]:
-    columns = _coefficients(ring, conditions, chosen, symbols)
-    yield from _summed(ring, conditions, chosen, symbols, columns)
 
 
 def _coefficients(

@@ -17,6 +17,7 @@ from screwkit.algebra.factors import Factor, FactorLibrary, factor
 from screwkit.algebra.no_real_angle import never_met
 from screwkit.algebra.points import Point, residue
 from screwkit.algebra.polynomial_text import text
+from screwkit.algebra.quotients import quotient_of
 from screwkit.algebra.real_zeros import vanishing_together
 from screwkit.algebra.substitution import Substitution, reduced, substituted
 from screwkit.algebra.trigonometric import Polynomial, primitive
@@ -24,7 +25,6 @@ from screwkit.certificates.equations_told import Multiple, Unsolved
 from screwkit.certificates.limb_systems import LimbSystem
 from screwkit.certificates.loop_equations import LoopEquations
 from screwkit.certificates.minor_choice import Matrix
-from screwkit.certificates.quotients import quotient_of
 from screwkit.certificates.real_squares import SumOfSquares, sum_of_squares
 from screwkit.certificates.roots import NotProvedError, roots_of
 from screwkit.certificates.signs import Signs
@@ -182,7 +182,7 @@ class Conditions:
 
     def quotient(self, value: Polynomial, below: Polynomial) -> Polynomial | None:
         """An exact quotient, if one is found."""
-        return quotient_of(self.problem.root.ring, self.problem.library, value, below)
+        return quotient_of(self.problem.root.ring, value, below, self.problem.library)
 
     def in_divisor(self, branch: Branch, own: Factor) -> Multiple | None:
         """The divisor of a step that a factor divides, which vanishes nowhere."""

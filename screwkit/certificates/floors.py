@@ -157,23 +157,13 @@ def _floor(problem: Problem, rank: int) -> Floor:
         search = FloorSearch(replace(problem, components=needed, least=-1), rank)
         proof = search.node(Place(problem.root))
         loci = search.problem.components
-        met = [loci[k] for k in sorted(_components_in(proof))]
+        met = [loci[k] for k in sorted({n.component for n in proof.every} - {-1})]
         needed = tuple(sorted(met, key=len))
         if needed == loci:
             break
     ring = problem.root.ring
     told = (tuple(text(ring, e) for e in own) for own in loci)
     return Floor(rank, tuple(told), proof)
-
-
-def _components_in(proof: Node) -> set[int]:
-    """The numbers of those that a proof speaks of."""
-    found, waiting = set[int](), [proof]
-    while waiting:
-        node = waiting.pop()
-        found |= {node.component} - {-1}
-        waiting += node.below
-    return found
 
 
 class LimbPart:
@@ -235,9 +225,9 @@ def without_idle_floors(certificate: Certificate) -> Certificate:
 
 def _rested_on(proof: Node) -> list[tuple[str, int]]:
     """(limb, rank) of what a proof takes from the parts of limbs."""
-    found, waiting = [], [proof]
-    while waiting:
-        node = waiting.pop()
-        found += [(own.limb, own.rank) for own in node.limbs if not own.columns]
-        waiting += node.below
-    return found
+    return [
+        (own.limb, own.rank)
+        for node in proof.every
+        for own in node.limbs
+        if not own.columns
+    ]

@@ -22,13 +22,13 @@ from screwkit.algebra.points import Point, residue
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.certificates.limb_systems import (
-    FILLED,
     LimbHere,
     LimbSystem,
     RankClaim,
     Shown,
     Wrench,
 )
+from screwkit.certificates.looped_limbs import FILLED
 from screwkit.certificates.offers import Offer
 from screwkit.certificates.records import Node, OfLimb
 from screwkit.certificates.steps import added

@@ -18,6 +18,7 @@ from screwkit.algebra.points import Point, residue
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.certificates.equations_told import Multiple
 from screwkit.certificates.looped_limbs import (
+    FILLED,
     minors_of_limb,
     wrenches_with_reactions,
 )
@@ -26,9 +27,6 @@ from screwkit.certificates.steps import added, followed
 from screwkit.conventions import SCREW_DIMENSION
 from screwkit.errors import TooLargeError
 from screwkit.loci.wrench_vectors import Vector, spanning_wrenches
-
-FILLED = 300_000
-"""Products of terms that one more column of a minor may take."""
 
 Loci: TypeAlias = tuple[tuple[Polynomial, ...], ...]
 """The equations of each."""

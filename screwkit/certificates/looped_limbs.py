@@ -26,7 +26,12 @@ from screwkit.conventions import SCREW_DIMENSION
 from screwkit.kinematics.whole_graph import Row
 from screwkit.loci.shorter_vectors import shorter_vectors
 from screwkit.loci.sparse_rank import reduced
-from screwkit.loci.wrench_vectors import Vector, shortened_vector, spanning_wrenches
+from screwkit.loci.wrench_vectors import (
+    Vector,
+    shortened_vector,
+    size_of,
+    spanning_wrenches,
+)
 
 FILLED = 300_000
 """Products of terms that one more column of a minor may take."""
@@ -75,14 +80,10 @@ def wrenches_with_reactions(
                 reactions.setdefault(tuple(map(str, own)), own)
             else:
                 wrenches.setdefault(key, own)
-    known = sorted(wrenches.values(), key=lambda own: _size(own[:SCREW_DIMENSION]))
-    helpers = sorted(reactions.values(), key=_size)[:HELPERS]
+    known = sorted(wrenches.values(), key=lambda own: size_of(own[:SCREW_DIMENSION]))
+    helpers = sorted(reactions.values(), key=size_of)[:HELPERS]
     found = shorter_vectors(branch.ring, _spanning(known, at), helpers)
     return [own for own in found if not branch.vanishes(own[:SCREW_DIMENSION])]
-
-
-def _size(vector: Vector) -> int:
-    return sum(map(len, vector))
 
 
 def _spanning(vectors: Sequence[Vector], at: tuple[Point, int]) -> list[Vector]:

@@ -13,7 +13,7 @@ from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.completed_squares import root_and_number
 from screwkit.algebra.real_zeros import homogeneous
 from screwkit.algebra.substitution import angle_parts
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, primitive
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 LONGEST = 40
 """Terms of a polynomial that is looked at."""
@@ -113,10 +113,5 @@ def _of_a_symbol(
         found = None if rest == 0 else root_and_number(ring, rest)
         if found is not None:
             root, number = found
-            squares = ((number, root), (ring.one, primitive(slope)))
-            scale = slope / primitive(slope)
-            return SumOfSquares(
-                2 * twice / (scale * scale),
-                ((number / (scale * scale), root), squares[1]),
-            )
+            return SumOfSquares(2 * twice, ((number, root), (ring.one, slope)))
     return None

@@ -154,6 +154,14 @@ class Node:
         sheets = [sheet.node for case in self.cases for sheet in case.sheets]
         return [*kept, *sheets, *(n for own in self.limbs for n in own.fallen)]
 
+    @property
+    def every(self) -> list[Node]:
+        """The node itself and all that follow."""
+        found = [self]
+        for node in found:
+            found += node.below
+        return found
+
 
 @dataclass(frozen=True)
 class Reach:

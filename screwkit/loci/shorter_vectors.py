@@ -10,16 +10,14 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Sequence
 
-from screwkit.algebra.division import Divisor, exact_quotient
-from screwkit.algebra.half_angle import HalfAngles
 from screwkit.algebra.minors import minors_of
 from screwkit.algebra.modular import independent, rank
 from screwkit.algebra.points import branch_primes, random_point, residue
-from screwkit.algebra.restrictions import Layout
+from screwkit.algebra.quotients import quotient_of
 from screwkit.algebra.substitution import linear_parts
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.errors import TooLargeError
-from screwkit.loci.wrench_vectors import Vector
+from screwkit.loci.wrench_vectors import Vector, size_of
 
 ROUNDS = 40
 """Vectors that are replaced, one after the other."""
@@ -52,11 +50,7 @@ def shorter_vectors(
 
 
 def _sorted(vectors: Sequence[Vector]) -> list[Vector]:
-    return sorted({tuple(map(str, own)): own for own in vectors}.values(), key=_size)
-
-
-def _size(vector: Vector) -> int:
-    return sum(map(len, vector))
+    return sorted({tuple(map(str, own)): own for own in vectors}.values(), key=size_of)
 
 
 def _replaced(
@@ -68,7 +62,7 @@ def _replaced(
         pivots = {str(x): x for own in vectors[:place] for x in own if len(x) > 1}
         for pivot in pivots.values():
             found = _divided(ring, vector, shorter, pivot)
-            if found is not None and _size(found) < _size(vector):
+            if found is not None and size_of(found) < size_of(vector):
                 yield place, found
 
 
@@ -103,7 +97,7 @@ def _divided(
         for i, value in enumerate(vector):
             pairs = zip(times, chosen, strict=True)
             left = ring.normal(value - sum((k * u[i] for k, u in pairs), ring.zero))
-            quotient = _quotient(ring, left, pivot)
+            quotient = quotient_of(ring, left, pivot)
             if quotient is None:
                 return None
             found.append(quotient)
@@ -147,23 +141,10 @@ def _solved(
         for number in range(len(units)):
             replaced = [*units[:number], values, *units[number + 1 :]]
             above = minors_of(ring, replaced, FILLED).get(whole, ring.zero)
-            quotient = _quotient(ring, above, below) if below != 0 else None
+            quotient = quotient_of(ring, above, below) if below != 0 else None
             if quotient is None:
                 return None
             found.append(quotient)
     except TooLargeError:
         return None
     return found
-
-
-def _quotient(
-    ring: TrigonometricRing, value: Polynomial, divisor: Polynomial
-) -> Polynomial | None:
-    """The quotient, if it is a polynomial in sines and cosines."""
-    if value == 0:
-        return ring.zero
-    found = exact_quotient(value, divisor)
-    if found is not None:
-        return found
-    layout = Layout.of(ring)
-    return Divisor(divisor, ring, HalfAngles(ring, layout), layout).divide(value)

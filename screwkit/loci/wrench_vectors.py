@@ -63,7 +63,7 @@ def spanning_wrenches(
         if not branch.vanishes(vector):
             kept = shortened_vector(branch, vector, library)
             found.setdefault(str(kept), kept)
-    return sorted(found.values(), key=_size)
+    return sorted(found.values(), key=size_of)
 
 
 def shortened_vector(
@@ -82,7 +82,8 @@ def shortened_vector(
     return tuple(value / scale for value in shorter)
 
 
-def _size(vector: Vector) -> int:
+def size_of(vector: Sequence[Polynomial]) -> int:
+    """Terms of all coordinates."""
     return sum(map(len, vector))
 
 
@@ -116,12 +117,12 @@ def overlap_minors(
     found: list[Polynomial] = []
     for number in range(CHOICES):
         noise = 4 if number else 0
-        weights = [_size(v) * (1 + source.uniform(0, noise)) for v in vectors]
+        weights = [size_of(v) * (1 + source.uniform(0, noise)) for v in vectors]
         order = sorted(range(len(vectors)), key=weights.__getitem__)
         chosen = [order[k] for k in independent([rows[i] for i in order], prime)]
         key = tuple(sorted(chosen))
         own = [vectors[i] for i in key]
-        if prod(map(_size, own)) > dearest or sum(map(len, found)) > longest:
+        if prod(map(size_of, own)) > dearest or sum(map(len, found)) > longest:
             break
         if every:
             return minors_of_size(branch.ring, vectors, size)

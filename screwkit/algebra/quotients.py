@@ -12,20 +12,20 @@ from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 def quotient_of(
     ring: TrigonometricRing,
-    library: FactorLibrary,
     value: Polynomial,
     below: Polynomial,
+    library: FactorLibrary | None = None,
 ) -> Polynomial | None:
     """An exact quotient, if one is found.
 
     Args:
         ring: Of both.
-        library: Of the ring; tells whether a value holds further algebraic numbers.
         value: In normal form.
         below: Not zero.
+        library: Of the ring; tells whether a value holds further algebraic numbers.
     """
     plain = exact_quotient(value, below) or _by_root(ring, value, below)
-    if plain is not None or library.is_extended(value):
+    if plain is not None or (library is not None and library.is_extended(value)):
         return plain
     layout = Layout.of(ring)
     found = Divisor(below, ring, HalfAngles(ring, layout), layout).divide(value)
