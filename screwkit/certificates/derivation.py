@@ -78,8 +78,9 @@ class ProofSearch(SheetNodes):
     Attributes:
         rank: Of the matrix in general.
         late: Whether sums that leave more than one case unsolved come after minors.
-        patient: Whether sums by Cramer's rule are looked for where nothing else helps,
-            and squares of axes among what conditions imply: these take long.
+        patient: Whether squares of axes are looked for among what conditions imply, and
+            sums by Cramer's rule where nothing else helps, as they are where limbs are
+            asked: these take long.
         trials: Asks whether sheets lie on components; None: it is not tried.
         source: Of the choice of minors.
     """
@@ -221,7 +222,7 @@ class ProofSearch(SheetNodes):
             choice, roots = self.chosen_minor(place)
         except NotProvedError:
             found = None
-            if self.patient:
+            if self.patient or self.asks_limbs:
                 found = self.of_a_sum(place, number, sum_by_cramer(self, place))
             found = found or self.of_a_sum(
                 place, number, sum_without_angles(self, place)

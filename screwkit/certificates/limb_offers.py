@@ -87,8 +87,7 @@ class _Limbs:
         ring = self.here[0].branch.ring
         for own in self.drawn(count, range(len(self.here))):
             try:
-                bare = [w.wrench.covector[:SCREW_DIMENSION] for w in own]
-                minors = minors_of(ring, bare, FILLED)
+                minors = minors_of(ring, [w.wrench.line for w in own], FILLED)
                 claims = self._claims(range(len(self.here))) if self.wanted >= 0 else {}
             except TooLargeError:
                 continue
@@ -160,6 +159,7 @@ class _Limbs:
     ) -> Offer:
         said, fallen = [], []
         parts = [] if value is None else [(value, 1)]
+        parts += [(own.wrench.weight, 1) for own in wrenches]
         over = dict(node.over or {})
         for number, limb in enumerate(self.here):
             given = [own.wrench for own in wrenches if own.limb == number]
@@ -237,7 +237,7 @@ def _product(
     branch: Branch, wrench: Wrench, column: Sequence[Polynomial]
 ) -> Polynomial:
     ring, whole = branch.ring, slice(SCREW_DIMENSION)
-    pairs = zip(wrench.covector[whole], column[whole], strict=True)
+    pairs = zip(wrench.line, column[whole], strict=True)
     return ring.normal(sum((a * b for a, b in pairs), ring.zero))
 
 

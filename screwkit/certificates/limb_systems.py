@@ -19,6 +19,7 @@ from screwkit.algebra.trigonometric import Polynomial
 from screwkit.certificates.equations_told import Multiple
 from screwkit.certificates.looped_limbs import (
     FILLED,
+    line_of,
     minors_of_limb,
     wrenches_with_reactions,
 )
@@ -26,7 +27,7 @@ from screwkit.certificates.records import OfLimb
 from screwkit.certificates.steps import added, followed
 from screwkit.conventions import SCREW_DIMENSION
 from screwkit.errors import TooLargeError
-from screwkit.loci.wrench_vectors import Vector, spanning_wrenches
+from screwkit.loci.wrench_vectors import Vector, size_of, spanning_wrenches
 
 Loci: TypeAlias = tuple[tuple[Polynomial, ...], ...]
 """The equations of each."""
@@ -69,15 +70,23 @@ class Wrench:
             inside the limb follow.
         work: Products with twists, by number of the freedom, that vanish as multiples
             of a condition.
+        line: The wrench alone, without reactions and common factors.
+        weight: What the line is multiplied by.
     """
 
     covector: Vector
     work: tuple[Multiple, ...]
+    line: Vector
+    weight: Polynomial
 
     @property
     def terms(self) -> int:
-        """Of the wrench alone, without reactions."""
-        return sum(map(len, self.covector[:SCREW_DIMENSION]))
+        """How long it is; what a direction that stands still is multiplied by aside.
+
+        Such a weight is a squared axis as a rule, which vanishes at no real posture.
+        """
+        still = all(len(x) < 2 for x in self.line)
+        return size_of(self.line if still else self.covector[:SCREW_DIMENSION])
 
 
 @dataclass(frozen=True)
@@ -139,9 +148,20 @@ class LimbHere:
         """
         found = self._annihilating(library)
         if not self.branch.pending:  # then the other twists depend on the chosen ones
-            return [Wrench(covector, ()) for covector in found]
+            return [self._wrench(covector, (), library) for covector in found]
         pairs = ((covector, shown(self._works(covector))) for covector in found)
-        return [Wrench(own, work) for own, work in pairs if work is not None]
+        return [
+            self._wrench(own, work, library) for own, work in pairs if work is not None
+        ]
+
+    def _wrench(
+        self, covector: Vector, work: tuple[Multiple, ...], library: FactorLibrary
+    ) -> Wrench:
+        ring = self.branch.ring
+        line, weight = covector[:SCREW_DIMENSION], ring.one
+        if not self.system.is_chain:  # elsewhere there are no common factors
+            line, weight = line_of(ring, covector, library)
+        return Wrench(covector, work, line, weight)
 
     def _annihilating(self, library: FactorLibrary) -> list[Vector]:
         columns = [column for column, _ in self.columns]

@@ -16,11 +16,14 @@ from itertools import combinations, islice
 from math import comb
 
 from screwkit.algebra.branches import Branch
+from screwkit.algebra.common_factors import without_common_factors
 from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.minors import minors_of
 from screwkit.algebra.modular import independent, rank
 from screwkit.algebra.points import Point, residue
-from screwkit.algebra.trigonometric import Polynomial
+from screwkit.algebra.quotients import quotient_of
+from screwkit.algebra.remembered import RememberedColumns
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, content
 from screwkit.certificates.short_minors import ShortMinor, short_minors
 from screwkit.conventions import SCREW_DIMENSION
 from screwkit.kinematics.whole_graph import Row
@@ -56,6 +59,9 @@ SETS = 4
 
 Columns = Sequence[Sequence[Polynomial]]
 
+_KNOWN: RememberedColumns[FactorLibrary, list[Vector]] = RememberedColumns()
+"""Of the same twists on branches that differ elsewhere."""
+
 
 def wrenches_with_reactions(
     branch: Branch, columns: Columns, at: tuple[Point, int], library: FactorLibrary
@@ -71,6 +77,40 @@ def wrenches_with_reactions(
     Raises:
         TooLargeError: If they are too long, or too many.
     """
+    entries = [x for own in columns for x in own]
+    symbols = _symbols(*entries)
+    said = (str(p.value) for p in branch.pending if _symbols(p.value) <= symbols)
+    given = len(columns), rank(_at(columns, at), at[1]), tuple(said)
+    found = _KNOWN.answer(
+        library, entries, given, lambda: _wrenches(branch, columns, at, library)
+    )
+    if _span(found, columns, at):
+        return found
+    return _wrenches(branch, columns, at, library)
+
+
+def _at(vectors: Columns, at: tuple[Point, int]) -> list[list[int]]:
+    return [[residue(x, *at) for x in own] for own in vectors]
+
+
+def _symbols(*values: Polynomial) -> set[int]:
+    """The places of the symbols that polynomials are in."""
+    return {k for own in values for k, d in enumerate(own.degrees()) if d > 0}
+
+
+def _span(vectors: Sequence[Vector], columns: Columns, at: tuple[Point, int]) -> bool:
+    """Whether vectors span the wrenches that there are at a point."""
+    whole, prime = _at(columns, at), at[1]
+    loops = [own[SCREW_DIMENSION:] for own in whole]
+    needed = SCREW_DIMENSION - rank(whole, prime) + rank(loops, prime)
+    bare = [own[:SCREW_DIMENSION] for own in vectors]
+    return rank(_at(bare, at), prime) == needed
+
+
+def _wrenches(
+    branch: Branch, columns: Columns, at: tuple[Point, int], library: FactorLibrary
+) -> list[Vector]:
+    """What `wrenches_with_reactions` looks up."""
     wrenches: dict[tuple[str, ...], Vector] = {}
     reactions: dict[tuple[str, ...], Vector] = {}
     for kept in _telling_columns(branch, columns, at):
@@ -83,13 +123,67 @@ def wrenches_with_reactions(
     known = sorted(wrenches.values(), key=lambda own: size_of(own[:SCREW_DIMENSION]))
     helpers = sorted(reactions.values(), key=size_of)[:HELPERS]
     found = shorter_vectors(branch.ring, _spanning(known, at), helpers)
-    return [own for own in found if not branch.vanishes(own[:SCREW_DIMENSION])]
+    left = [own for own in found if not branch.vanishes(own[:SCREW_DIMENSION])]
+    return [*left, *_turned(branch, left, library)]
+
+
+def _turned(
+    branch: Branch, vectors: Sequence[Vector], library: FactorLibrary
+) -> list[Vector]:
+    """Sums of two of them along a line of which each coordinate is a single term.
+
+    Of a couple n along the axis of a parallelogram and of one across it one sum is |n|²
+    times a couple whose direction stands still: it vanishes at no real posture, where
+    each coordinate of the two may.
+    """
+    ring, first = branch.ring, slice(SCREW_DIMENSION)
+    known = {_direction(ring, own, library) for own in vectors}
+    found = []
+    for one, two in combinations(vectors, 2):
+        for a, b in zip(one[first], two[first], strict=True):
+            if a == 0 or b == 0 or (a.is_constant() and b.is_constant()):
+                continue
+            pairs = zip(one, two, strict=True)
+            whole = tuple(ring.normal(b * x - a * y) for x, y in pairs)
+            if branch.vanishes(whole[first]):
+                continue
+            line, _ = line_of(ring, whole, library)
+            direction = _direction(ring, line, library)
+            if direction not in known and max(map(len, line)) == 1:
+                known.add(direction)
+                found.append(shortened_vector(branch, whole, library))
+    return found
+
+
+def _direction(
+    ring: TrigonometricRing, vector: Vector, library: FactorLibrary
+) -> tuple[str, ...]:
+    """The line of a wrench, up to its size."""
+    line, _ = line_of(ring, vector, library)
+    scale = content(next(x for x in line if x != 0))
+    return tuple(str(x / scale) for x in line)
+
+
+def line_of(
+    ring: TrigonometricRing, vector: Vector, library: FactorLibrary
+) -> tuple[Vector, Polynomial]:
+    """A wrench without reactions and common factors, and what it is multiplied by.
+
+    Args:
+        ring: Of the coordinates.
+        vector: Six coordinates, not all zero, and reactions.
+        library: Of the ring; factors met before.
+    """
+    whole = vector[:SCREW_DIMENSION]
+    found = without_common_factors(ring, whole, library)
+    value, below = next((a, b) for a, b in zip(whole, found, strict=True) if b != 0)
+    weight = quotient_of(ring, value, below)
+    return (whole, ring.one) if weight is None else (found, weight)
 
 
 def _spanning(vectors: Sequence[Vector], at: tuple[Point, int]) -> list[Vector]:
     """The first ones that span what all of them do at a point, and a few more."""
-    bare = [[residue(x, *at) for x in own[:SCREW_DIMENSION]] for own in vectors]
-    needed = independent(bare, at[1])
+    needed = independent(_at([own[:SCREW_DIMENSION] for own in vectors], at), at[1])
     return [*vectors[: max(needed, default=-1) + 1 + MORE]]
 
 
@@ -102,10 +196,7 @@ def _telling_columns(
     which an arm is outstretched, not times the sine of an angle.
     """
     wider = next(iter(replace(branch, pending=()).points), at)
-    here, there = (
-        [[residue(x, *own) for x in column] for column in columns]
-        for own in (at, wider)
-    )
+    here, there = _at(columns, at), _at(columns, wider)
     every = range(len(columns))
     wanted = rank(here, at[1])
     over = rank(there, wider[1]) - wanted
@@ -166,16 +257,13 @@ def _annihilating(
             weight[column] = weight.get(column, 0) + len(entry)
     order = sorted(weight, key=lambda column: weight[column])
     across = [[row.get(column, ring.zero) for row in rows] for column in order]
-    values = [[residue(x, *at) for x in column] for column in across]
-    chosen = [across[k] for k in independent(values, at[1])]
+    chosen = [across[k] for k in independent(_at(across, at), at[1])]
     if comb(len(rows), len(chosen) + 1) <= MANY:
         extensor = minors_of(ring, chosen, FILLED)
         return spanning_wrenches(branch, extensor, len(rows), len(chosen), library)
     return [
         vector
-        for places in _dependent(
-            len(rows), [[residue(x, *at) for x in own] for own in chosen], at[1]
-        )
+        for places in _dependent(len(rows), _at(chosen, at), at[1])
         for vector in _of_places(branch, chosen, places, library)
     ]
 

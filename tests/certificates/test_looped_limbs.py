@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from certificates.forged import HEAD, certificate
+from loci.numeric import value
 
 import screwkit
 from screwkit.algebra.points import residue
@@ -26,6 +27,14 @@ from screwkit.certificates.subjects import of_graph
 from screwkit.certificates.texts import RefusedError
 from screwkit.certificates.written import from_text
 from screwkit.kinematics.whole_graph import WholeGraph
+from screwkit.results.singularities import (
+    ActuationSingularities,
+    Component,
+    ConstraintSingularities,
+    LimbSingularities,
+    Singularities,
+)
+from screwkit.verification import certificate_of
 
 # Left: an arm, and a loop of four hinges between arm and tip.  Right: two hinges.
 LINKAGE = f"""{HEAD.replace("arm, fore", "arm, one, two, right")}
@@ -266,3 +275,88 @@ def test_forces_and_couples_of_parallelograms_prove_a_list() -> None:
 def every(proof: Node) -> list[Node]:
     """All nodes of a proof."""
     return [proof, *(node for below in proof.below for node in every(below))]
+
+
+def rod(angle: str, across: str, up: str) -> tuple[str, str, str]:
+    """From an arm's end to the platform, along two horizontal axes and up."""
+    reach = f"(b - a - l*cos({angle}))"
+    along = f"x + {reach}*({across})" if across != "1" else f"x + {reach}"
+    return along, f"y + {reach}*({up})", f"z + l*sin({angle})"
+
+
+def by_hand() -> Singularities:
+    """Three arms with parallelograms: where they stretch; where rods are coplanar."""
+    one = rod("theta1", "1", "0")
+    two = rod("theta2", "-1/2", "sqrt(3)/2")
+    three = rod("theta3", "-1/2", "-sqrt(3)/2")
+    volume = " ".join(
+        f"{sign} ({one[i]})*({two[j]})*({three[k]})"
+        for sign, (i, j, k) in zip(
+            "+-+-+-",
+            ((0, 1, 2), (0, 2, 1), (1, 2, 0), (1, 0, 2), (2, 0, 1), (2, 1, 0)),
+            strict=True,
+        )
+    )
+    stretched = (
+        "(a - b - x)*sin(theta1) - z*cos(theta1)",
+        "(2*a - 2*b + x - sqrt(3)*y)*sin(theta2) - 2*z*cos(theta2)",
+        "(2*a - 2*b + x + sqrt(3)*y)*sin(theta3) - 2*z*cos(theta3)",
+    )
+    limbs = []
+    for number, equation in enumerate(stretched, 1):
+        names = [f"{j}{number}" for j in "AEB"]
+        names[2:2] = [f"{j}_{number}" for j in ("p1", "m1", "p2", "m2")]
+        component = Component((equation,), 1, (), 6)
+        limbs.append(
+            LimbSingularities(f"limb{number}", tuple(names), 7, True, (component,))
+        )
+    dependent = Component((volume[2:],), 1, (), 17)
+    return Singularities(
+        "delta_4r",
+        "",
+        tuple(limbs),
+        ConstraintSingularities(18, False, ()),
+        ActuationSingularities(("A1", "A2", "A3"), True, 18, True, (dependent,)),
+    )
+
+
+def test_couples_that_stand_still_spare_cases_of_each_parallelogram() -> None:
+    """The normal n of a parallelogram turns; |n|² times a horizontal couple does not.
+
+    So one minor is |n|² (…) times the volume of the three rods: nothing is left where
+    a rod is level, or n is.
+    """
+    case = screwkit.load("delta_4r")
+    actuation = certificate_of(case, by_hand()).parts[-1]
+    assert actuation.question == "actuation"
+    assert actuation.reason == ""
+    assert actuation.proof is not None
+    assert len([node for node in actuation.proof.every if node.axis]) == 2
+    assert len(actuation.proof.every) == 4
+    lines = [w for own in actuation.proof.limbs for w in own.wrenches]
+    couples = [w for w in lines if {*w[:3]} == {"0"}]
+    still = [w for w in couples if [*w[3:6]].count("0") == 2 or w[5] == "0"]
+    assert len(couples) == 3
+    assert len(still) >= 2
+    source = np.random.default_rng(3)
+    for own in actuation.proof.limbs:
+        for wrench in own.wrenches:
+            if wrench in still:
+                ratios = [ratio(own.limb, wrench[3:6], source) for _ in range(4)]
+                assert ratios[0] > 1e-6
+                assert np.allclose(ratios, ratios[0])
+
+
+def ratio(limb: str, couple: tuple[str, ...], source: np.random.Generator) -> float:
+    """Of a couple and c times the squared axis of a parallelogram, at some posture."""
+    names = ("a", "b", "c", "l", "x", "y", "z", "theta1", "theta2", "theta3")
+    at = dict(zip(names, source.uniform(0.3, 2, len(names)), strict=True))
+    turn = {"limb1": 0, "limb2": 120, "limb3": 240}[limb]
+    outward = np.array([np.cos(np.radians(turn)), np.sin(np.radians(turn)), 0])
+    up = np.array([0, 0, 1])
+    angle = at[f"theta{limb[-1]}"]
+    arm = (at["a"] + at["l"] * np.cos(angle)) * outward - at["l"] * np.sin(angle) * up
+    tip = np.array([at["x"], at["y"], at["z"]]) + at["b"] * outward
+    normal = np.cross(np.cross(up, outward), tip - arm)
+    size = np.linalg.norm([value(x, at) for x in couple])
+    return float(size / (at["c"] * normal @ normal))
