@@ -157,17 +157,40 @@ def _symbol(ring: TrigonometricRing, index: int) -> str:
     return next(name for name, place in places if place == index)
 
 
-def inputs_where(graph: TiedGraph, implied: Elimination | None) -> tuple[Factor, ...]:
-    """Factors of what is implied, those alone on which closed postures were found."""
+def inputs_where(
+    graph: TiedGraph, equations: Sequence[Polynomial], implied: Elimination | None
+) -> tuple[Factor, ...]:
+    """Factors of what equations imply that closed postures on them meet.
+
+    Each closed posture at which the equations hold lies on one of them: a factor is
+    left out only where it is proved that none does.  Complex ones may bend out of
+    sight: of pivots that coincide the squared distance is a sum of squares, and general
+    zeros of it are no postures.  Such a factor is asked for once more, with the
+    closing equations.
+
+    Returns:
+        Nothing where that was not found, or not of each factor.
+    """
     if implied is None or len(implied.left) != 1 or implied.left[0].is_constant():
         return ()
     met = []
     for one, _ in factor(graph.framed.ring, implied.left[0], graph.library).factors:
-        if len(one.equations) > 1 or not _speaks_of_joints(graph, one.polynomial):
+        if not any(_speaks_of_joints(graph, p) for p in one.equations):
             continue
-        if never_met(graph.framed.ring, [one.polynomial]):
+        if never_met(graph.framed.ring, one.equations):
             continue
         own = Elimination(implied.ring, implied.equations, one.equations, implied.steps)
-        if any(not residue(one.polynomial, *at) for at in points_where(own)):
-            met.append(one)
+        if not any(_holds(one, *at) for at in points_where(own)):
+            there = closed_on(graph, [*equations, *one.equations], ())
+            if there.never:
+                continue
+            if not there.points:
+                return ()
+        if len(one.equations) > 1:  # in half angles, and no equation says it
+            return ()
+        met.append(one)
     return tuple(met)
+
+
+def _holds(one: Factor, point: Point, prime: int) -> bool:
+    return not any(residue(equation, point, prime) for equation in one.equations)

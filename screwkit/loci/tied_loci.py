@@ -172,7 +172,7 @@ def _met(
             continue
         there = closed_on(graph, piece.equations, kept)
         if there.points:
-            inputs = inputs_where(graph, there.implied)
+            inputs = inputs_where(graph, piece.equations, there.implied)
             found.append(TiedPiece(piece, there.points, inputs))
         elif not there.never:
             unmet += 1

@@ -318,6 +318,44 @@ def test_a_slider_crank_is_dead_where_crank_and_rod_are_in_line() -> None:
     assert np.allclose(slides, places)
 
 
+RODS_ON_TWO_RAILS = """
+screwkit: 1
+name: rods_on_two_rails
+space: planar
+geometry: reference
+base: ground
+platform: rod1
+links: [ground, slide1, rod1, rod2, slide2]
+joints:
+  - {name: X, type: prismatic, parent: ground, child: slide1, axis: [1, 0]}
+  - {name: a, type: revolute, parent: slide1, child: rod1, point: [0, 0]}
+  - {name: b, type: revolute, parent: rod1, child: rod2, point: [2, 3/2]}
+  - {name: c, type: revolute, parent: rod2, child: slide2, point: [4, 0]}
+  - {name: Y, type: prismatic, parent: ground, child: slide2, axis: [3, 4]}
+actuated: [X, Y]
+"""
+
+
+def test_rods_of_one_length_are_dead_where_they_fold_and_where_they_stretch() -> None:
+    """|a c| = 5, or a lies on c: that is no curve of slides, but the one posture."""
+    found = answer(RODS_ON_TWO_RAILS).actuation
+    assert found is not None
+    (component,) = found.components
+
+    def told(x: float, y: float) -> bool:
+        at = {"qX": x, "qY": y}
+        return any(abs(value(one.equation, at)) < 1e-9 for one in component.closes)
+
+    def apart(x: float, y: float) -> float:
+        return abs(complex(4 + 0.6 * y - x, 0.8 * y))
+
+    stretched = [(4 + 0.6 * y + sqrt(25 - 0.64 * y * y), y) for y in (0.0, 2.0, -5.0)]
+    assert all(isclose(apart(*at), 5) and told(*at) for at in stretched)
+    assert apart(4, 0) == 0
+    assert told(4, 0)
+    assert not told(4, 1)
+
+
 def test_a_square_says_where_it_is_folded_in_one_equation() -> None:
     """Equal sides: B lies on D at one crank angle, and nowhere else on the circle."""
     text = FOUR_BAR
