@@ -15,7 +15,7 @@ from dataclasses import replace
 from functools import cached_property
 
 from screwkit.algebra.angle_elimination import Elimination, eliminated
-from screwkit.algebra.branches import random_branch_prime
+from screwkit.algebra.branches import Branch, random_branch_prime
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.points import Point, rank_at, residue
 from screwkit.algebra.points_on import Unknown, unknowns
@@ -117,7 +117,8 @@ class TiedGraph(WholeGraph):
             for point in branch.points
             if not any(residue(equation, *point) for equation in wanted)
         ]
-        return ClosedPart(tuple(points), zeros.complete, bool(zeros.branches))
+        branches = tuple(zeros.branches) if zeros.complete else None
+        return ClosedPart(tuple(points), branches)
 
     def implied(
         self, equations: Sequence[Polynomial], kept: Collection[Unknown]
@@ -151,7 +152,7 @@ class TiedGraph(WholeGraph):
         if not points:
             implied = self.implied((), self.unknowns_of(self.mechanism.actuated))
             points = () if implied is None else points_of(implied, _POINTS)
-        return ClosedPart((*points, *found.points), False, True)
+        return ClosedPart((*points, *found.points), None)
 
     def met_where(
         self, equations: Sequence[Polynomial]
@@ -255,17 +256,22 @@ class ClosedPart:
 
     Attributes:
         points: With their primes.
+        branches: On which all of them lie; None where the closing equations were not
+            taken apart.
         is_complete: Whether the closing equations were taken apart.
         is_empty: There is none at all; proved for real postures, special dimensions
             aside.
     """
 
     def __init__(
-        self, points: tuple[tuple[Point, int], ...], is_complete: bool, some: bool
+        self,
+        points: tuple[tuple[Point, int], ...],
+        branches: tuple[Branch, ...] | None,
     ) -> None:
         self.points = points
-        self.is_complete = is_complete
-        self.is_empty = is_complete and not some
+        self.branches = branches
+        self.is_complete = branches is not None
+        self.is_empty = branches == ()
 
 
 def points_of(implied: Elimination, most: int) -> tuple[tuple[Point, int], ...]:

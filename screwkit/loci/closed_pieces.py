@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from itertools import islice
 
 from screwkit.algebra.angle_elimination import Elimination
+from screwkit.algebra.branches import Branch
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factors import Factor, factor
 from screwkit.algebra.no_real_angle import never_met
@@ -18,7 +19,7 @@ from screwkit.algebra.points_on import Unknown, unknowns
 from screwkit.algebra.search import Search
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.kinematics.tied_graph import TiedGraph, points_of
-from screwkit.loci.pieces import Piece
+from screwkit.loci.pieces import Piece, surely_in
 
 _IMPLIED = 40  # case distinctions on what a piece implies
 _POINTS = 4  # exact closed postures on a piece
@@ -34,11 +35,14 @@ class TiedPiece:
         points: Exact closed postures on it, with their primes.
         inputs: Factors of what the closed postures on it imply for the driven
             variables, each met by one of them; empty where that was not found.
+        branches: On which all closed postures on it lie; None where they were not
+            taken apart.
     """
 
     piece: Piece
     points: tuple[tuple[Point, int], ...]
     inputs: tuple[Factor, ...] = ()
+    branches: tuple[Branch, ...] | None = None
 
 
 @dataclass(frozen=True)
@@ -63,11 +67,13 @@ class ClosedPostures:
         points: Exact ones, with their primes.
         implied: What the equations imply there for the unknowns that were kept; None
             where that was not found.
+        branches: On which all of them lie; None where they were not taken apart.
     """
 
     never: bool
     points: tuple[tuple[Point, int], ...] = ()
     implied: Elimination | None = None
+    branches: tuple[Branch, ...] | None = None
 
 
 def closed_on(
@@ -103,7 +109,7 @@ def closed_on(
         if not number:
             first = implied
         points = points or points_where(implied)
-    return ClosedPostures(False, points, first)
+    return ClosedPostures(False, points, first, part.branches)
 
 
 def _choices(
@@ -116,6 +122,21 @@ def _choices(
     angles = (("angle", number) for number in range(len(graph.framed.ring.basis)))
     for angle in islice((a for a in angles if a not in dimensions), _ALONE):
         yield (*dimensions, angle)
+
+
+def without_repeats(pieces: Sequence[TiedPiece]) -> tuple[TiedPiece, ...]:
+    """Pieces without those whose closed postures lie on others.
+
+    Two conditions of free joint variables may meet the closed postures in one set.
+    """
+    kept = list(pieces)
+    for one in reversed(pieces):
+        others = [other.piece for other in kept if other is not one]
+        if one.branches is not None and all(
+            any(surely_in(branch, other) for other in others) for branch in one.branches
+        ):
+            kept.remove(one)
+    return tuple(kept)
 
 
 def is_impossible(graph: TiedGraph, implied: Elimination) -> bool:

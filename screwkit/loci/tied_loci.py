@@ -12,7 +12,7 @@ References: [CoxLittleOShea] §3.1, [Zlatanov2002].
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.points import Point, rank_at
@@ -25,6 +25,7 @@ from screwkit.loci.closed_pieces import (
     TiedPiece,
     closed_on,
     inputs_where,
+    without_repeats,
 )
 from screwkit.loci.graph_loci import GraphLocus
 from screwkit.loci.lower_rank import lower_rank
@@ -55,7 +56,7 @@ def loop_locus(
     graph: TiedGraph, locked: Collection[str], kept: Collection[Unknown]
 ) -> TiedLocus:
     """Where the loop equations of the freedoms that are not locked lose rank."""
-    return _searched(graph, *_loop_equations(graph, locked), kept)
+    return _listed(_searched(graph, *_loop_equations(graph, locked), kept))
 
 
 def actuation_finds(graph: TiedGraph, actuated: Sequence[str]) -> TiedFinds:
@@ -121,7 +122,11 @@ def columns_locus(
     def at(point: Point, prime: int) -> int:
         return rank_at(columns, point, prime)
 
-    return _searched(graph, [row for row in rows if row], at, kept)
+    return _listed(_searched(graph, [row for row in rows if row], at, kept))
+
+
+def _listed(locus: TiedLocus) -> TiedLocus:
+    return replace(locus, pieces=without_repeats(locus.pieces))
 
 
 def _searched(
@@ -173,7 +178,7 @@ def _met(
         there = closed_on(graph, piece.equations, kept)
         if there.points:
             inputs = inputs_where(graph, piece.equations, there.implied)
-            found.append(TiedPiece(piece, there.points, inputs))
+            found.append(TiedPiece(piece, there.points, inputs, there.branches))
         elif not there.never:
             unmet += 1
     left = [branch for one in zeros for branch, _ in one.open]
@@ -211,7 +216,8 @@ def _found_inside(
         for part in inside.pieces:
             (finds if is_find(part) else waiting).append(part)
     reasons = [locus.reason, _why_open(left, unmet)]
-    return TiedFinds(tuple(finds), tuple(others), "; ".join(filter(None, reasons)))
+    reason = "; ".join(filter(None, reasons))
+    return TiedFinds(without_repeats(finds), without_repeats(others), reason)
 
 
 def _why_open(left: int, unmet: int) -> str:

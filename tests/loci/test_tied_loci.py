@@ -356,6 +356,40 @@ def test_rods_of_one_length_are_dead_where_they_fold_and_where_they_stretch() ->
     assert not told(4, 1)
 
 
+CRANK_AS_LONG_AS_THE_FRAME = """
+screwkit: 1
+name: crank_as_long_as_the_frame
+space: planar
+geometry: reference
+base: ground
+platform: lever
+links: [ground, crank, block, lever]
+joints:
+  - {name: O, type: revolute, parent: ground, child: crank, point: [0, 0]}
+  - {name: B, type: revolute, parent: crank, child: block, point: [1, 0]}
+  - {name: S, type: prismatic, parent: lever, child: block, axis: [1, 1]}
+  - {name: C, type: revolute, parent: ground, child: lever, point: [0, -1]}
+actuated: [O]
+"""
+
+
+def test_conditions_that_closed_postures_meet_in_one_set_are_listed_once() -> None:
+    """B lies on the slide's line through C; the lever is free where B is C.
+
+    Elsewhere the line turns at half the crank's rate, and a slide normal to it, which
+    joints without ties could have, would have no length to lie along.
+    """
+    found = answer(CRANK_AS_LONG_AS_THE_FRAME).actuation
+    assert found is not None
+    assert found.complete
+    (component,) = found.components
+    for lever in (-2.0, 0.3, 1.0):
+        at = {"qO": -pi / 2, "qC": lever, "qB": lever + pi / 2}
+        assert all(abs(value(e, at)) < 1e-9 for e in component.equations)
+    elsewhere = {"qO": 0.4, "qC": 0.2, "qB": -0.2}
+    assert any(abs(value(e, elsewhere)) > 1e-3 for e in component.equations)
+
+
 def test_a_square_says_where_it_is_folded_in_one_equation() -> None:
     """Equal sides: B lies on D at one crank angle, and nowhere else on the circle."""
     text = FOUR_BAR
