@@ -43,6 +43,12 @@ AT_B = Locus(
 )
 
 
+def test_what_a_limb_does_not_say_of_the_platform_is_refused() -> None:
+    """Of a limb the rank of its twists is looked at, and no freedom of a platform."""
+    with pytest.raises(RefusedError, match="speaks of the platform"):
+        judged(TWO_LENGTHS, limb(replace(AT_B, freedom=1)))
+
+
 def test_a_quotient_makes_nothing_a_multiple() -> None:
     """(a − b) = ((a − b)/sin q)·sin q, which says nothing where sin q = 0."""
     leaf = Node(1, component=0, multiples=(Multiple(0, 0, "(a - b)/sin(q)", {}),))
