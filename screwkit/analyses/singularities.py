@@ -373,7 +373,8 @@ def actuation_singularities(
     parts = actuation_parts(assembly, locus, actuated)
     moving = [(p, c) for p, c in parts if c.platform_freedom]
     pieces = [piece for piece, _ in moving]
-    bracket = superbracket(assembly, actuated, pieces) if locus.admissible else None
+    may_move = locus.admissible and bool(pieces or not locus.complete)
+    bracket = superbracket(assembly, actuated, pieces) if may_move else None
     reason = locus.reason
     if bracket is not None and not locus.complete and not locus.pieces:
         told = six_lines_in_words(assembly, actuated, bracket)

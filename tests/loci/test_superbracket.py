@@ -299,3 +299,13 @@ def test_the_text_and_the_json_carry_it() -> None:
     text = " ".join(str(answer).split())
     assert "six lines hold it" in text
     assert "the plane of B3, A2 and A3 meet in one point: exactly 1 and 2" in text
+
+
+def test_nothing_is_said_of_lines_where_locked_joints_hold_by_all_wrenches() -> None:
+    """An arm that is locked is one body; lines through its centres may be dependent."""
+    answer, found = answered("puma")
+    assert answer.actuation is not None
+    assert answer.actuation.complete
+    assert not answer.actuation.components
+    assert found is None
+    assert "six lines" not in str(answer)
