@@ -174,7 +174,7 @@ def _sign(terms: list[tuple[tuple[int, ...], Any]], ring: TrigonometricRing) -> 
     precision = ctx.prec
     try:
         while True:
-            values = [_constant(text) for text in ring.constant_generators.values()]
+            values = [ball_of(text) for text in ring.constant_generators.values()]
             total = arb(0)
             for exponents, coefficient in terms:
                 term = arb(coefficient.p) / arb(coefficient.q)
@@ -190,8 +190,8 @@ def _sign(terms: list[tuple[tuple[int, ...], Any]], ring: TrigonometricRing) -> 
         ctx.prec = precision
 
 
-def _constant(text: str) -> Any:
-    """The ball of ``sqrt(3)`` or ``2*cos(pi/7)``."""
+def ball_of(text: str) -> Any:
+    """The ball of a constant: ``sqrt(3)`` or ``2*cos(pi/7)``."""
     number = int("".join(filter(str.isdigit, text.removeprefix("2*"))))
     if text.startswith("sqrt"):
         return arb(number).sqrt()

@@ -113,7 +113,7 @@ class ClaimedLoci:
         if max(ranks) != locus.rank:
             raise RefusedError(f"the rank on it is {max(ranks)}, not {locus.rank}")
         if not freedoms and locus.freedom >= 0:
-            raise RefusedError("it speaks of the platform, which a limb's rank does not")
+            raise RefusedError("it speaks of the platform, and a limb does not")
         if freedoms and min(freedoms) != locus.freedom:
             raise RefusedError(f"the platform has {min(freedoms)} freedoms there")
         if self._part.question == "actuation" and (locus.freedom > 0) != moves:

@@ -83,10 +83,19 @@ def test_a_number_that_is_not_zero_has_none() -> None:
         ("sqrt(14)*sin(p) - 2*cos(p) + 4", False),  # 14 + 4 > 16
         ("x^2 + sqrt(2)*x + 1", True),  # 2 < 4
         ("sqrt(2)*x^2 - sqrt(3)", False),
+        ("cos(p) - 2*sqrt(2) + 1", True),  # 2√2 − 1 > 1; the conjugate's −2√2 − 1 too
+        ("cos(p) + sqrt(2) - 1/2", False),  # 1/2 − √2 > −1
+        ("cos(p) - sqrt(2) - 1/4", True),
+        ("cos(p) + 2*sqrt(2) - 2", False),
+        ("cos(p) - sqrt(2) + 2", False),  # √2 − 2 > −1; the conjugate's is below
+        ("cos(p) + sqrt(2) + 1/2", True),  # the conjugate's √2 − 1/2 is a cosine
+        ("x^2 + sqrt(3) - 1", True),  # 1 < √3; the conjugate's 1 + √3 has a root
+        ("sqrt(2)*cos(p) + sqrt(2)", False),  # π alone
+        ("x^2 + x + sqrt(2) - 1", True),  # 4 (√2 − 1) > 1
     ],
 )
 def test_square_roots_are_multiplied_away(text: str, empty: bool) -> None:
-    """Real zeros of A s + B c + C need A² + B² ≥ C²."""
+    """Real zeros of A s + B c + C need A² + B² ≥ C²; those of conjugates are none."""
     ring, equations = in_one_ring(text)
     assert never_met(ring, equations) is empty
 
