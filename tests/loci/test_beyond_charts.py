@@ -1,0 +1,103 @@
+"""Strata of limbs with loops inside where a sheet's divisors vanish.
+
+A Tripteron with a hinge on its platform: limb i keeps the platform from turning about
+two axes, and where its bars are in line it pushes along them.  The loops depend where
+these forces do: two along one line, or three in one plane, all of them found by hand.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from math import atan2, cos, pi, sin
+
+import numpy as np
+from loci.numeric import value
+
+from screwkit.analyses.singularities import constraint_singularities
+from screwkit.case import load_text
+from screwkit.results.singularities import ConstraintSingularities
+
+TRIPTERON_WITH_A_HINGE = """
+screwkit: 1
+name: tripteron_with_a_hinge
+base: base
+platform: tool
+links: [base, a1, b1, c1, a2, b2, c2, a3, b3, c3, hub, tool]
+geometry: posture
+variables:
+  x: 0.3
+  y: 0.4
+  z: 0.5
+  s1: {value: 1, angle: true}
+  s2: {value: 1, angle: true}
+  s3: {value: 1, angle: true}
+points:
+  X: [x, y, z]
+  C1: [x, 2, 2]
+  C2: [2, y, 2]
+  C3: [2, 2, z]
+  D1: [x, 2 + cos(s1), 2 + sin(s1)]
+  D2: [2 + sin(s2), y, 2 + cos(s2)]
+  D3: [2 + cos(s3), 2 + sin(s3), z]
+vectors: {i: [1, 0, 0], j: [0, 1, 0], k: [0, 0, 1]}
+joints:
+  - {name: P1, type: prismatic, parent: base, child: a1, axis: i}
+  - {name: Q1, type: revolute, parent: a1, child: b1, axis: i, point: C1}
+  - {name: R1, type: revolute, parent: b1, child: c1, axis: i, point: D1}
+  - {name: S1, type: revolute, parent: c1, child: hub, axis: i, point: X}
+  - {name: P2, type: prismatic, parent: base, child: a2, axis: j}
+  - {name: Q2, type: revolute, parent: a2, child: b2, axis: j, point: C2}
+  - {name: R2, type: revolute, parent: b2, child: c2, axis: j, point: D2}
+  - {name: S2, type: revolute, parent: c2, child: hub, axis: j, point: X}
+  - {name: P3, type: prismatic, parent: base, child: a3, axis: k}
+  - {name: Q3, type: revolute, parent: a3, child: b3, axis: k, point: C3}
+  - {name: R3, type: revolute, parent: b3, child: c3, axis: k, point: D3}
+  - {name: S3, type: revolute, parent: c3, child: hub, axis: k, point: X}
+  - {name: hinge, type: revolute, parent: hub, child: tool, axis: k, point: X}
+"""
+
+
+@cache
+def found() -> ConstraintSingularities:
+    return constraint_singularities(load_text(TRIPTERON_WITH_A_HINGE).assembly)
+
+
+def postures(x: float, y: float, z: float, s: float, t: float) -> Iterator[list[float]]:
+    """One in each of seven families, as x, y, z, s1, s2, s3."""
+    yield [2, 2, z, pi / 2, 0, t]  # limbs 1 and 2 push along z
+    yield [2, y, 2, 0, t, -pi / 2]  # 1 and 3 along y
+    yield [x, 2, 2, t, pi / 2, pi]  # 2 and 3 along x
+    yield [x, 2, z, pi / 2, atan2(x - 2, z - 2), 0]  # normal to y, all three
+    yield [2, y, z, atan2(z - 2, y - 2), pi, pi / 2]  # normal to x
+    yield [x, y, 2, 0, -pi / 2, atan2(y - 2, x - 2)]  # normal to z
+    yield [2, 2, 2, s, t, atan2(-cos(s) * cos(t), sin(s) * sin(t))]
+
+
+def pushing(x: float, y: float, z: float, *bars: float) -> list[list[float]]:
+    """Along the bars of limbs in which they are in line with the platform's point."""
+    s1, s2, s3 = bars
+    along = [
+        ([0, cos(s1), sin(s1)], [0, y - 2, z - 2]),
+        ([sin(s2), 0, cos(s2)], [x - 2, 0, z - 2]),
+        ([cos(s3), sin(s3), 0], [x - 2, y - 2, 0]),
+    ]
+    return [bar for bar, arm in along if np.linalg.norm(np.cross(bar, arm)) < 1e-9]
+
+
+def test_forces_of_stretched_limbs_depend_on_seven_components() -> None:
+    names = ("x", "y", "z", "s1", "s2", "s3")
+    assert found().complete
+    assert len(found().components) == 7
+    met = set()
+    for numbers in postures(0.7, -1.3, 0.4, 0.6, 1.1):
+        forces = pushing(*numbers)
+        assert np.linalg.matrix_rank(forces, 1e-9) == len(forces) - 1
+        at = dict(zip(names, numbers, strict=True))
+        (own,) = (
+            number
+            for number, component in enumerate(found().components)
+            if all(abs(value(e, at)) < 1e-9 for e in component.equations)
+        )
+        met.add(own)
+    assert len(met) == 7
