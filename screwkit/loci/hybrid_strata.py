@@ -15,6 +15,7 @@ from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.search import Search
 from screwkit.kinematics.limb_parts import Parts, PartsMotion, motion_at
+from screwkit.loci.beyond_sheets import beyond_sheets
 from screwkit.loci.limb_systems import UnclearError, limb_system
 from screwkit.loci.open_branches import undecided
 from screwkit.loci.pieces import Piece, lies_in, pieces_of, without_contained
@@ -125,12 +126,11 @@ def hybrid_strata(
             below = _below(sheet, parts, height, library)
             inside += below.branches
             left += below.open
-        beside = _where_divisors_vanish(root, piece, library)
-        left += beside.open
-        pieces = (
-            *pieces_of(inside, surely=True),
-            *pieces_of(beside.branches, surely=True),
-        )
+        pieces = tuple(pieces_of(inside, surely=True))
+        if piece is not None:
+            rest = beyond_sheets(root, piece, library)
+            left += rest.open
+            pieces = (*pieces, *pieces_of(rest.branches, surely=True))
         found.append(HybridStratum(piece, motion.dimension, motion.inner_rank, pieces))
         for below_it in pieces:
             if not any(_same(below_it, known) for known in seen):
@@ -179,25 +179,5 @@ def _below(branch: Branch, parts: Parts, height: int, library: FactorLibrary) ->
     for ideal in system.limits:
         zeros = common_zeros(branch, ideal, Search(library))
         found += zeros.branches
-        left += zeros.open
-    return _Below(tuple(found), tuple(left))
-
-
-def _where_divisors_vanish(
-    root: Branch, piece: Piece | None, library: FactorLibrary
-) -> _Below:
-    """The rest of a piece: what its sheets were solved with is zero there.
-
-    Its equations may hold on more than that.
-    """
-    found: list[Branch] = []
-    left: list[Branch] = []
-    steps = [step for sheet in piece.branches for step in sheet.steps] if piece else []
-    divisors = {str(step.divisor): step.divisor for step in steps}
-    for divisor in divisors.values():
-        if piece is None or divisor.is_constant():
-            continue
-        zeros = common_zeros(root, [*piece.equations, divisor], Search(library))
-        found += [branch for branch in zeros.branches if branch.points]
         left += zeros.open
     return _Below(tuple(found), tuple(left))

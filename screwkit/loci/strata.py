@@ -11,8 +11,10 @@ from screwkit.algebra.branches import Branch
 from screwkit.algebra.conversion import Conversion
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.kinematics.assembly import Assembly, LimbChain
+from screwkit.loci.beyond_sheets import beyond_sheets
 from screwkit.loci.exact_rank_drop import rank_on
 from screwkit.loci.limb_drops import limb_pieces
+from screwkit.loci.pieces import Piece, pieces_of
 from screwkit.loci.rank_drop import generic_rank
 
 _MOST = 40  # strata of one limb
@@ -58,7 +60,7 @@ def limb_strata(assembly: Assembly, limb: LimbChain) -> LimbStrata:
     """Every stratum of a limb, in the limb's own ring."""
     framed = assembly.limb_twists[limb.name]
     columns = [framed.column(joint) for joint in limb.joints]
-    root = assembly.root(framed.ring)
+    root, library = assembly.root(framed.ring), assembly.library(framed.ring)
     found = [Stratum((), generic_rank(root, columns), 0)]
     complete = True
     level: list[Branch] = [root]
@@ -67,13 +69,22 @@ def limb_strata(assembly: Assembly, limb: LimbChain) -> LimbStrata:
         drop = limb_pieces(assembly, limb, level)
         complete = complete and drop.complete
         level = []
-        for piece in drop.exact.pieces:
+        waiting: list[tuple[Piece, int | None]] = [
+            (piece, None) for piece in drop.exact.pieces
+        ]
+        while waiting:
+            piece, above = waiting.pop(0)
             key = frozenset(str(e) for e in piece.equations)
-            if key not in seen:
-                seen.add(key)
-                rank = rank_on(piece, columns)
+            if key in seen:
+                continue
+            seen.add(key)
+            rank = rank_on(piece, columns)
+            if above is None or rank < above:
                 found.append(Stratum(piece.equations, rank, piece.codimension))
-                level.extend(piece.branches)
+            level.extend(piece.branches)
+            rest = beyond_sheets(root, piece, library)
+            complete = complete and not rest.open
+            waiting += [(part, rank) for part in pieces_of(rest.branches)]
     found.sort(key=lambda stratum: stratum.codimension)
     return LimbStrata(tuple(found), complete and not level)
 

@@ -1,4 +1,4 @@
-"""Strata of limbs with loops inside where a sheet's divisors vanish.
+"""Strata where the divisors of a sheet vanish.
 
 A Tripteron with a hinge on its platform: limb i keeps the platform from turning about
 two axes, and where its bars are in line it pushes along them.  The loops depend where
@@ -12,10 +12,12 @@ from functools import cache
 from math import atan2, cos, pi, sin
 
 import numpy as np
-from loci.numeric import value
+from loci.numeric import limb_columns, value
 
+from screwkit.algebra.polynomial_text import equation_text
 from screwkit.analyses.singularities import constraint_singularities
 from screwkit.case import load_text
+from screwkit.loci.strata import limb_strata
 from screwkit.results.singularities import ConstraintSingularities
 
 TRIPTERON_WITH_A_HINGE = """
@@ -101,3 +103,39 @@ def test_forces_of_stretched_limbs_depend_on_seven_components() -> None:
         )
         met.add(own)
     assert len(met) == 7
+
+
+SNAKE = """
+screwkit: 1
+name: snake
+base: base
+platform: head
+links: [base, b1, b2, b3, b4, b5, head]
+geometry: mdh
+parameters: {l: {value: 1, positive: true}}
+joints:
+  - {name: "1", type: revolute, parent: base, child: b1, mdh: {alpha: -pi/2}}
+  - {name: "2", type: revolute, parent: b1, child: b2, mdh: {alpha: pi/2, d: l}}
+  - {name: "3", type: revolute, parent: b2, child: b3, mdh: {alpha: -pi/2, d: l}}
+  - {name: "4", type: revolute, parent: b3, child: b4, mdh: {alpha: pi/2, d: l}}
+  - {name: "5", type: revolute, parent: b4, child: b5, mdh: {alpha: -pi/2, d: l}}
+  - {name: "6", type: revolute, parent: b5, child: head, mdh: {alpha: pi/2, d: l}}
+"""
+
+
+def test_a_straight_arm_is_on_a_stratum_of_its_own_rank() -> None:
+    """No twist is along the arm, and none turns about it."""
+    case = load_text(SNAKE)
+    mechanism, (limb,) = case.mechanism, case.assembly.limbs
+    ring = case.assembly.limb_twists[limb.name].ring
+    strata = limb_strata(case.assembly, limb)
+    at = {f"q{k}": 0.0 for k in range(1, 7)} | {"l": 0.8}
+    twists = limb_columns(mechanism, limb.chain, at)
+    assert np.linalg.matrix_rank(twists, 1e-9) == 4
+    assert strata.complete
+    ranks = [
+        own.rank
+        for own in strata.strata
+        if all(abs(value(equation_text(ring, e), at)) < 1e-9 for e in own.equations)
+    ]
+    assert min(ranks) == 4
