@@ -26,11 +26,7 @@ from screwkit.algebra.points import (
     residue,
     with_extensions,
 )
-from screwkit.algebra.points_on import (
-    angles_in_numbers,
-    moved_onto,
-    points_asked,
-)
+from screwkit.algebra.points_on import angles_in_numbers, moved_onto, points_asked
 from screwkit.algebra.substitution import Substitution, reduced, substituted
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
@@ -69,6 +65,7 @@ class Branch:
         dimensions: Indices of the symbols that are dimensions of the mechanism, not
             coordinates of its posture.
         directed: Keep conditions that fix angles (`fixed_directions`) unsolved.
+        narrowed: Whether a condition was replaced by what its real zeros fulfil.
     """
 
     ring: TrigonometricRing
@@ -82,6 +79,7 @@ class Branch:
     directions: tuple[tuple[Polynomial, ...], ...] = ()
     thorough: bool = False
     directed: bool = False
+    narrowed: bool = False
 
     @property
     def codimension(self) -> int:

@@ -12,6 +12,7 @@ References: [CoxLittleOShea] §4.6 (decomposition into irreducibles).
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from screwkit.algebra.branches import (
     Branch,
@@ -43,6 +44,7 @@ from screwkit.algebra.search import (
     are_multiples,
     before_pending,
     changed_halves,
+    is_beyond,
     may_hide_parts,
     refined,
     replace_steps,
@@ -101,6 +103,8 @@ def _descend(
             if all(p != 0 for p in kept):
                 _descend(part, moved, kept, search)
         return
+    if is_beyond(branch, (), search):
+        return
     if branch.is_special:
         _beside_what_is_special(branch, polynomials, nonzero, search)
         return
@@ -130,7 +134,7 @@ def _descend(
         elif not loses_a_direction(branch):
             _settle(branch, polynomials, nonzero, search)
         return
-    if branch.codimension == search.deepest:
+    if branch.codimension == search.deepest or is_beyond(branch, left, search):
         return
     if search.budget <= 0 or hides:
         search.unfinished.append(branch)
@@ -144,7 +148,7 @@ def _descend(
     terms = None if search.deepest is not None else terms_of_squares(branch, left)
     if terms is not None:
         if all(p != 1 for p in terms):
-            _descend(branch, terms, nonzero, search)
+            _descend(replace(branch, narrowed=True), terms, nonzero, search)
         return
     choice = shortest_choice(branch, left, nonzero, search.library, search.largest)
     if choice is None:
@@ -162,7 +166,8 @@ def _descend(
         terms = None if search.deepest is not None else terms_of(branch, case)
         if terms is not None:
             if all(t != 1 for t in terms):
-                _descend(branch, [*terms, *left], excluded, search)
+                real = replace(branch, narrowed=True)
+                _descend(real, [*terms, *left], excluded, search)
             continue
         held = parts_where(branch, case, left, search, common_zeros)
         if held.rest is not None:
@@ -351,7 +356,8 @@ def _on_factors(
         terms = None if search.deepest is not None else terms_of(branch, case)
         if terms is not None:
             if all(t != 1 for t in terms):
-                _descend(before, [*terms, *again], list(nonzero), search)
+                real = replace(before, narrowed=True)
+                _descend(real, [*terms, *again], list(nonzero), search)
             continue
         for child in restricted(before, case.equations[0], case.equations[1:]):
             _go_on(before, child, again, nonzero, search)

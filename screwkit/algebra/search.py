@@ -51,7 +51,9 @@ class Search:
     Zeros of ``away``, in the generators of the whole ring, are not looked for: they
     are known, and what is asked is divided by them.  With ``deepest`` parts of larger
     codimension are left out: where as many equations are asked, they are no parts of
-    their own (Krull), as long as zeros are not replaced by their real ones.  What is
+    their own (Krull), as long as zeros are not replaced by their real ones.  The same
+    is done with ``bound``, where that is known of what is looked for, of parts that are
+    surely smaller; real zeros in their place are looked for further.  What is
     skipped for its points may have parts, of several pending conditions, that these do
     not show: ``inside`` gives the equations of known sets that the points lie in, and
     ``surely`` tells that the whole branch lies in one.  With ``further`` branches that
@@ -72,6 +74,7 @@ class Search:
     every_part: bool = False
     away: tuple[Polynomial, ...] = ()
     deepest: int | None = None
+    bound: int | None = None
     inside: Callable[[Branch], Iterable[Sequence[Polynomial]]] = lambda branch: ()
     surely: Callable[[Branch], bool] = lambda branch: False
     further: bool = False
@@ -91,6 +94,28 @@ def may_hide_parts(branch: Branch, library: FactorLibrary) -> bool:
             if not library.is_extended(polynomial):
                 return True
     return False
+
+
+def is_surely_smaller(branch: Branch, size: int, search: Search) -> bool:
+    """Whether all parts of a branch have a larger codimension than a given one.
+
+    One condition leaves a part on which a second one, that is no multiple of it, is not
+    zero; a third one may vanish on a part of what these leave.
+    """
+    if branch.codimension <= size or len(branch.pending) > 2:
+        return False
+    if any(p.companions or len(p.value) > search.largest for p in branch.pending):
+        return False
+    return not may_hide_parts(branch, search.library)
+
+
+def is_beyond(branch: Branch, left: Sequence[Polynomial], search: Search) -> bool:
+    """Whether the zeros on a branch of what is left are below ``search.bound``."""
+    if search.bound is None or branch.narrowed:
+        return False
+    if left and len(branch.pending) < 2:  # irreducible: less of it is smaller
+        return is_surely_smaller(branch, search.bound - 1, search)
+    return is_surely_smaller(branch, search.bound, search)
 
 
 def are_multiples(branch: Branch, polynomials: Sequence[Polynomial]) -> bool:
@@ -198,7 +223,7 @@ def _parts_where(branch: Branch, case: Factor, search: Search) -> list[Branch]:
     terms = _real_terms(branch, case, search)
     if terms is None:
         return restricted(branch, case.equations[0], case.equations[1:])
-    parts = [branch]
+    parts = [replace(branch, narrowed=True)]
     for value in (*terms, case.equations[0]):
         parts = [part for own in parts for part in imposed(own, value, search)]
     return parts

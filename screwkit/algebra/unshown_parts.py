@@ -19,7 +19,12 @@ from screwkit.algebra.linear_systems import linear_systems
 from screwkit.algebra.one_part import are_one_part, leaves_one_part
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import coefficients_in, unknowns
-from screwkit.algebra.search import Decomposition, Search, replace_steps
+from screwkit.algebra.search import (
+    Decomposition,
+    Search,
+    is_surely_smaller,
+    replace_steps,
+)
 from screwkit.algebra.trigonometric import Polynomial
 
 SETTLING = 60  # case distinctions to tell a branch from spurious zeros
@@ -106,7 +111,12 @@ def settling(branch: Branch, search: Search) -> Search:
         nested=search.nested + 1,
     )
     own.further = search.further
-    return replace(own, skip=lambda part: part.codimension > branch.codimension)
+    size = branch.codimension
+    return replace(
+        own,
+        skip=lambda part: part.codimension > size,
+        surely=lambda part: is_surely_smaller(part, size, own),
+    )
 
 
 def _beside_a_system(

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 
 from screwkit.algebra.branches import Branch
 from screwkit.algebra.factor_library import FactorLibrary
@@ -29,6 +29,7 @@ from screwkit.loci.exact_equations import (
 from screwkit.loci.hybrid_actuation import hybrid_actuation_locus
 from screwkit.loci.lasting_wrenches import all_are_held
 from screwkit.loci.loop_drop import loop_state
+from screwkit.loci.many_wrenches import ManyWrenches, many_wrenches
 from screwkit.loci.meanings import Meanings
 from screwkit.loci.mechanism_figures import figures_of, figures_on
 from screwkit.loci.passive import PassiveSystem
@@ -130,7 +131,7 @@ class _Scheme:
 
         root, limbs = self.root, self.limbs
         whole = Search(self.library, largest=_LONGEST, skip=is_given)
-        zeros = dependent_zeros(root, limbs, whole)
+        zeros = self._zeros_of_many(whole) or dependent_zeros(root, limbs, whole)
         if zeros.open:
             apart = replace(whole, budget=_APART, found=[], unfinished=[], special=[])
             zeros = _by_limbs(root, limbs, zeros, apart)
@@ -143,8 +144,9 @@ class _Scheme:
         moving = [piece for piece in pieces if self.state(piece).platform_freedom]
         idle = [p for p in pieces if not self.state(p).platform_freedom]
         plain = Search(self.library, largest=_LONGEST)
-        held = bool(idle) and all_are_held(
-            root, limbs, moving, idle, plain, all_known=complete
+        held = self._many is not None or (
+            bool(idle)
+            and all_are_held(root, limbs, moving, idle, plain, all_known=complete)
         )
         inside, is_whole = ([], True) if held else self._moving_inside(idle, moving)
         if not is_whole:
@@ -152,6 +154,23 @@ class _Scheme:
         # A later piece inside an idle one may contain an earlier one.
         found = [*without_contained([*moving, *inside]), *idle]
         return _Found(tuple(found), "; ".join(reasons))
+
+    @cached_property
+    def _many(self) -> ManyWrenches | None:
+        """Where more wrenches than are needed let the platform go."""
+        search = Search(self.library, largest=_LONGEST)
+        return many_wrenches(self.root, self.limbs, search)
+
+    def _zeros_of_many(self, search: Search) -> Dependence | None:
+        """Where wrenches, more than needed, let the platform go, or limbs idle."""
+        if self._many is None:
+            return None
+        own = replace(search, found=[], unfinished=[], special=[])
+        drops = [rank_drop(self.root, limb, own).decomposition for limb in self.limbs]
+        idle = [branch for drop in drops for branch in drop.branches]
+        left = tuple(branch for drop in drops for branch in drop.open)
+        parts = [part for part in self._many.parts if not search.skip(part)]
+        return Dependence((*parts, *idle), left)
 
     def _moving_outside(
         self, branches: Sequence[Branch], kept: Sequence[Piece]
@@ -207,7 +226,12 @@ class _Scheme:
 
         The first where it moves in general on the piece.
         """
-        each = [with_exact_equations([p], self._singularity(p)) for p in pieces]
+        each = [
+            ExactPieces((p,), 0)
+            if self._many is not None and self._many.is_all_of(p)
+            else with_exact_equations([p], self._singularity(p))
+            for p in pieces
+        ]
         return ExactPieces(
             tuple(piece for one in each for piece in one.pieces),
             sum(one.uncertain for one in each),

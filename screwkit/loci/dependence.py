@@ -20,6 +20,7 @@ from screwkit.algebra.taken_apart import Apart, taken_apart
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.errors import TooLargeError
 from screwkit.kinematics.limb_parts import Parts
+from screwkit.loci.determinantal import largest_codimension
 from screwkit.loci.pieces import Piece, lies_in
 from screwkit.loci.wrench_blocks import block_minors
 from screwkit.loci.wrench_sums import height_of, loop_rank_at, telling_minors
@@ -72,7 +73,12 @@ def dependent_zeros(
         return Dependence((), ())
     if not branch.points:
         return Dependence((), (branch,))
-    return _Zeros(limbs, search, within, in_blocks).on(branch)
+    bound = largest_codimension(branch, limbs, height_of(limbs), within=within)
+    own = search if bound is None else replace(search, bound=bound)
+    zeros = _Zeros(limbs, own, within, in_blocks)
+    found = zeros.on(branch)
+    search.budget = own.budget
+    return found
 
 
 def minors_on(

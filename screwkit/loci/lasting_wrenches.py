@@ -79,6 +79,33 @@ def all_are_held(
     )
 
 
+def lasting_minors(
+    root: Branch, limbs: Sequence[Parts], search: Search
+) -> tuple[list[Polynomial], int]:
+    """Polynomials that vanish wherever more wrenches than needed let the platform go.
+
+    Args:
+        root: The whole configuration space.
+        limbs: Passive twists of each, that hold the platform in general.
+        search: Known factors.
+
+    Returns:
+        The minors of the wrenches that the limbs have at every posture, and the largest
+        codimension of a part of their common zeros; no minors where the wrenches are
+        not more than their coordinates, or too long.
+    """
+    if not all(limbs) or not root.points or any(map(has_loops, limbs)):
+        return [], 0
+    height, at = height_of(limbs), root.points[0]
+    each = [_lasting(root, limb, height, at, search) for limb in limbs]
+    wrenches = [wrench for own in each if own is not None for wrench in own.wrenches]
+    count = len(wrenches)
+    if None in each or count <= height or comb(count, height) > ALL:
+        return [], 0
+    minors = overlap_minors(root, wrenches, at, _DEAREST, _LONGEST)
+    return minors, count - height + 1
+
+
 @dataclass(frozen=True)
 class _Lasting:
     """Reciprocal to a limb's twists everywhere; in general they span its system."""
