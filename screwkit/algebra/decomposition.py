@@ -16,18 +16,14 @@ from dataclasses import replace
 
 from screwkit.algebra.branches import (
     Branch,
-    restricted,
     without,
 )
 from screwkit.algebra.case_parts import is_among, parts_where
 from screwkit.algebra.cases import (
-    implied_cases,
-    implied_products,
     shortest_choice,
     terms_of,
     terms_of_squares,
 )
-from screwkit.algebra.factors import Factor
 from screwkit.algebra.fixed_directions import (
     is_mixed,
 )
@@ -51,9 +47,14 @@ from screwkit.algebra.search import (
     still_open,
 )
 from screwkit.algebra.special_parts import parts_beside_special
-from screwkit.algebra.splitting import split_difference, split_system
 from screwkit.algebra.trigonometric import Polynomial
 from screwkit.algebra.unshown_parts import parts_beside, told_apart
+from screwkit.algebra.ways_further import (
+    Way,
+    eliminated,
+    solved_together,
+    taken_further,
+)
 
 _TERMS_PER_CASE = 80  # longer polynomials use up more of the budget
 
@@ -76,6 +77,7 @@ def common_zeros(
         without_nowhere_zero(ring, [p], nonzero)[0] for p in polynomials if p != 0
     ]
     search.problem = tuple(shorter)
+    search.taken_out = []
     if all(p != 0 for p in nonzero):
         _descend(branch, shorter, nonzero, search)
     return Decomposition(
@@ -122,8 +124,8 @@ def _descend(
         if is_excluded(branch, nonzero) or loses_a_direction(branch):
             return
         if not (
-            _eliminated(branch, polynomials, nonzero, search)
-            or _taken_further(branch, polynomials, nonzero, search)
+            _along(eliminated(branch, polynomials, nonzero, search), search)
+            or _along(taken_further(branch, polynomials, nonzero, search), search)
         ):
             search.unfinished.append(branch)
         return
@@ -141,9 +143,9 @@ def _descend(
     if search.budget <= 0:
         return
     search.budget -= 1 + sum(map(len, left)) // _TERMS_PER_CASE
-    if is_mixed(branch) and _eliminated(branch, left, nonzero, search):
+    if is_mixed(branch) and _along(eliminated(branch, left, nonzero, search), search):
         return
-    if _solved_together(branch, left, nonzero, search):
+    if _along(solved_together(branch, left, nonzero, search), search):
         return
     terms = None if search.deepest is not None else terms_of_squares(branch, left)
     if terms is not None:
@@ -178,7 +180,7 @@ def _descend(
             excluded.append(case.equations[0])
     for direction in free:
         # There the angle is free, and the cases were not searched.
-        before = without(branch, direction.pending)
+        before = replace(without(branch, direction.pending), narrowed=True)
         ends = [direction.across, direction.along]
         _descend(before, [*ends, *left], [*nonzero], search)
 
@@ -222,7 +224,7 @@ def _beside_what_is_skipped(
         return True
     parts = other_parts(branch, search)
     if parts is None:
-        return _taken_further(branch, polynomials, nonzero, search)
+        return _along(taken_further(branch, polynomials, nonzero, search), search)
     _descend_parts(branch, parts, polynomials, nonzero, search)
     return True
 
@@ -270,97 +272,27 @@ def _settle(
     """Take a branch on which all polynomials vanish, or what it consists of."""
     if not _is_possible(branch) and is_excluded(branch, nonzero):
         return
-    if _eliminated(branch, polynomials, nonzero, search):
+    if _along(eliminated(branch, polynomials, nonzero, search), search):
         return
     exact = told_apart(branch, search, common_zeros) if _is_possible(branch) else None
     if exact is not None:
         search.found.append(exact)
-    elif not _taken_further(branch, polynomials, nonzero, search):
+    elif not _along(taken_further(branch, polynomials, nonzero, search), search):
         search.unfinished.append(branch)
 
 
-def _eliminated(
-    branch: Branch,
-    polynomials: Sequence[Polynomial],
-    nonzero: Sequence[Polynomial],
-    search: Search,
-) -> bool:
-    """Go on with what two pending conditions imply, where that can be solved.
-
-    They are imposed again after it, and may turn out to be products.
-    """
-    if len(branch.pending) < 2 or search.budget <= 0:
-        return False
-    choice = implied_cases(branch, search.library, search.largest)
-    if choice is None:
-        return False
-    _on_factors(branch, choice, polynomials, nonzero, search)
-    return True
-
-
-def _taken_further(
-    branch: Branch,
-    polynomials: Sequence[Polynomial],
-    nonzero: Sequence[Polynomial],
-    search: Search,
-) -> bool:
-    """Go on with a branch that would be left open, and whether that is possible."""
-    if not search.further or len(branch.pending) < 2 or search.budget <= 0:
-        return False
-    parts = split_difference(branch) if branch.thorough else None
-    if parts is not None:
-        search.budget -= 1
-        before, again = before_pending(branch)
-        again += polynomials
-        _descend(before, [*parts.left, *again], list(nonzero), search)
-        if parts.solved is not None:
-            _go_on(before, parts.solved, again, nonzero, search)
-        return True
-    choice = implied_products(branch, search.library, search.largest)
-    if choice is None:
-        return _solved_together(branch, polynomials, nonzero, search)
-    _on_factors(branch, choice, polynomials, nonzero, search)
-    return True
-
-
-def _solved_together(
-    branch: Branch,
-    polynomials: Sequence[Polynomial],
-    nonzero: Sequence[Polynomial],
-    search: Search,
-) -> bool:
-    """Go on with pending conditions solved together, and where that is not possible."""
-    parts = split_system(branch) if search.further else None
-    if parts is None:
+def _along(way: Way | None, search: Search) -> bool:
+    """Go on along a way, if there is one."""
+    if way is None:
         return False
     search.budget -= 1
-    before, again = before_pending(branch)
-    _descend(before, [*parts.left, *again, *polynomials], list(nonzero), search)
-    if parts.solved is not None:
-        _go_on(branch, parts.solved, polynomials, nonzero, search)
+    if way.taken_out is not None:
+        search.taken_out.append(way.taken_out)
+    for part in way.parts:
+        _go_on(part.before, part.branch, part.polynomials, part.nonzero, search)
+    if way.taken_out is not None:
+        search.taken_out.pop()
     return True
-
-
-def _on_factors(
-    branch: Branch,
-    choice: Sequence[Factor],
-    polynomials: Sequence[Polynomial],
-    nonzero: Sequence[Polynomial],
-    search: Search,
-) -> None:
-    """Go on where one of some factors vanishes; what is pending is imposed after it."""
-    search.budget -= 1
-    before, again = before_pending(branch)
-    again += polynomials
-    for case in choice:
-        terms = None if search.deepest is not None else terms_of(branch, case)
-        if terms is not None:
-            if all(t != 1 for t in terms):
-                real = replace(before, narrowed=True)
-                _descend(real, [*terms, *again], list(nonzero), search)
-            continue
-        for child in restricted(before, case.equations[0], case.equations[1:]):
-            _go_on(before, child, again, nonzero, search)
 
 
 def _is_possible(branch: Branch) -> bool:

@@ -60,6 +60,8 @@ class Search:
     would be left open are gone on with by what two of their equations imply, or by
     several of these solved together.  Parts of branches are looked for by searches in
     which the same may be asked: ``nested`` counts how often.
+    ``taken_out`` are the conditions of branches, each inside the one before, from which
+    angles are being taken out.
     """
 
     library: FactorLibrary
@@ -79,6 +81,7 @@ class Search:
     surely: Callable[[Branch], bool] = lambda branch: False
     further: bool = False
     nested: int = 0
+    taken_out: list[frozenset[str]] = field(default_factory=list)
 
 
 def may_hide_parts(branch: Branch, library: FactorLibrary) -> bool:

@@ -17,7 +17,7 @@ from screwkit.algebra.branches import Branch, Pending, still_pending
 from screwkit.algebra.elimination import half_angle_solutions
 from screwkit.algebra.linear_systems import largest_system, solutions_of
 from screwkit.algebra.search import before_pending
-from screwkit.algebra.substitution import Substitution, linear_parts
+from screwkit.algebra.substitution import Substitution, angle_parts, linear_parts
 from screwkit.algebra.trigonometric import Polynomial
 
 
@@ -99,6 +99,77 @@ def _after(branch: Branch, condition: Polynomial, step: Substitution) -> Branch 
         pending=pending,
     )
     return None if solved.is_empty else solved
+
+
+@dataclass(frozen=True)
+class AngleSplit:
+    """One angle taken out of a pending condition by another one.
+
+    Attributes:
+        before: The branch without any pending condition; with the angle solved by both
+            where that was possible.
+        implied: What the one says where the other one gives the angle.
+        again: What has to be imposed after it.
+        nonzero: What vanishes on no posture where the other one gives the angle.
+        left: What vanishes together where it does not.
+    """
+
+    before: Branch
+    implied: Polynomial
+    again: tuple[Polynomial, ...]
+    nonzero: tuple[Polynomial, ...]
+    left: tuple[Polynomial, ...]
+
+
+def split_angle(branch: Branch) -> AngleSplit | None:
+    """Take an angle out of a pending condition; the shortest result that there is.
+
+    P·sin φ + Q·cos φ = 0 gives φ up to half a turn where P and Q are not both 0, and
+    another such condition says there that their determinant vanishes.  Of two with
+    rests both give the sine and cosine of φ, where the determinant does not vanish.
+    """
+    own = [p for p in branch.pending if not p.companions]
+    if len(own) < len(branch.pending):
+        return None
+    choices = [
+        split
+        for kept, gone in permutations(own, 2)
+        for angle in range(len(branch.ring.basis))
+        if (split := _angle_taken_out(branch, kept, gone, angle)) is not None
+    ]
+    return min(choices, key=lambda choice: len(choice.implied), default=None)
+
+
+def _angle_taken_out(
+    branch: Branch, kept: Pending, gone: Pending, angle: int
+) -> AngleSplit | None:
+    ring = branch.ring
+    parts = [angle_parts(ring, pending.value, angle) for pending in (kept, gone)]
+    if parts[0] is None or parts[1] is None:
+        return None
+    (p, q, r), (u, v, w) = parts[0], parts[1]
+    determinant = ring.normal(p * v - q * u)
+    if determinant == 0 or says_nothing(branch, determinant):
+        return None
+    before, again = before_pending(branch)
+    others = tuple(e for e in again if e is not gone.value)
+    if r == 0 and w == 0:
+        square = ring.normal(p * p + q * q)
+        return AngleSplit(before, determinant, others, (square,), (p, q, *again))
+    sine, cosine = ring.normal(q * w - r * v), ring.normal(r * u - p * w)
+    circle = ring.normal(sine * sine + cosine * cosine - determinant * determinant)
+    if circle == 0:
+        return None
+    images = (ring.sine_index(angle), sine), (ring.cosine_index(angle), cosine)
+    step = Substitution(images, determinant, condition=kept.condition, partial=True)
+    solved = replace(
+        before,
+        conditions=(*before.conditions, kept.condition),
+        steps=(*before.steps, step),
+        extra=(*before.extra, gone.condition),
+    )
+    others = tuple(e for e in others if e is not kept.value)
+    return AngleSplit(solved, circle, others, (), (determinant, *again))
 
 
 def split_system(branch: Branch) -> Split | None:

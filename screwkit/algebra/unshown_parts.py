@@ -72,7 +72,28 @@ def parts_beside(
         spurious = zeros(before, coefficients, settling(branch, search))
         if spurious.complete:
             return spurious.branches
-    return _beside_a_system(branch, search, zeros)
+    earlier = _beside_an_earlier(branch, search, zeros)
+    return _beside_a_system(branch, search, zeros) if earlier is None else earlier
+
+
+def _beside_an_earlier(
+    branch: Branch, search: Search, zeros: Zeros
+) -> tuple[Branch, ...] | None:
+    """The same of another condition than the last, over others that hide no part."""
+    if search.nested >= _NESTED:
+        return None
+    for pending in branch.pending[:-1]:
+        before = without(branch, pending)
+        others = {u for p in before.pending for u in unknowns(branch.ring, p.value)}
+        own = [u for u in unknowns(branch.ring, pending.value) if u not in others]
+        if not own or pending.beside or told_apart(before, search, zeros) != before:
+            continue
+        for unknown in sorted(own):
+            coefficients = coefficients_in(branch.ring, pending.value, unknown)
+            spurious = zeros(before, coefficients, settling(branch, search))
+            if spurious.complete:
+                return spurious.branches
+    return None
 
 
 def _is_over_directions(branch: Branch, search: Search, zeros: Zeros) -> bool:

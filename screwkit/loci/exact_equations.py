@@ -138,7 +138,7 @@ def _exact(piece: Piece, singular: Singularity) -> tuple[Piece, bool]:
         parts, is_whole = _regular_parts(piece, singular)
         points = [at for part in parts for at in part.points]
         points = points or _regular_points(piece, singular)
-        if not points and (is_whole or _is_settled_along(piece, singular)):
+        if not points and (is_whole or _is_settled_otherwise(piece, singular)):
             return piece, True
         shorter = with_shorter_equations(piece, singular.root, singular.library)
         if shorter != piece:
@@ -171,7 +171,9 @@ def without_products(piece: Piece, singular: Singularity) -> Piece:
     return replace(piece, equations=equations)
 
 
-def _regular_parts(piece: Piece, singular: Singularity) -> tuple[list[Branch], bool]:
+def _regular_parts(
+    piece: Piece, singular: Singularity, *, further: bool = False
+) -> tuple[list[Branch], bool]:
     """Parts of the zeros on which nothing is singular, and whether these are all."""
     found: list[Branch] = []
     is_whole = True
@@ -180,6 +182,7 @@ def _regular_parts(piece: Piece, singular: Singularity) -> tuple[list[Branch], b
         if not waiting:
             break
         branch, search = waiting.pop(), _search(singular, len(piece.equations))
+        search.further = further
         values = [branch.value(equation) for equation in piece.equations]
         zeros = common_zeros(branch, values, search)
         is_whole = is_whole and zeros.complete
@@ -209,15 +212,18 @@ def _regular_points(piece: Piece, singular: Singularity) -> list[tuple[Point, in
     ]
 
 
-def _is_settled_along(piece: Piece, singular: Singularity) -> bool:
-    """Whether no part is regular, seen with the angles kept that equations fix."""
+def _is_settled_otherwise(piece: Piece, singular: Singularity) -> bool:
+    """Whether no part is regular, seen with the angles kept that equations fix.
+
+    Or where what would be left open is taken further.
+    """
     ring = singular.root.ring
     fixed = {fixes_angle(ring, equation) for equation in piece.equations} - {None}
-    if len(fixed) < SEVERAL:
-        return False
-    kept = replace(singular, root=replace(singular.root, directed=True))
-    parts, is_whole = _regular_parts(piece, kept)
-    return is_whole and not parts
+    if len(fixed) >= SEVERAL:
+        kept = replace(singular, root=replace(singular.root, directed=True))
+        if _regular_parts(piece, kept) == ([], True):
+            return True
+    return _regular_parts(piece, singular, further=True) == ([], True)
 
 
 def _search(singular: Singularity, count: int) -> Search:
