@@ -66,6 +66,7 @@ class Branch:
             coordinates of its posture.
         directed: Keep conditions that fix angles (`fixed_directions`) unsolved.
         narrowed: Whether a condition was replaced by what its real zeros fulfil.
+        shown: Texts of conditions that were shown to leave one part.
     """
 
     ring: TrigonometricRing
@@ -80,6 +81,7 @@ class Branch:
     thorough: bool = False
     directed: bool = False
     narrowed: bool = False
+    shown: frozenset[str] = frozenset()
 
     @property
     def codimension(self) -> int:

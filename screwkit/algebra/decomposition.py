@@ -32,6 +32,7 @@ from screwkit.algebra.nowhere_zero import (
     loses_a_direction,
     without_nowhere_zero,
 )
+from screwkit.algebra.only_part import only_part
 from screwkit.algebra.points import residue
 from screwkit.algebra.proved_inside import left_over
 from screwkit.algebra.search import (
@@ -126,6 +127,7 @@ def _descend(
         if not (
             _along(eliminated(branch, polynomials, nonzero, search), search)
             or _along(taken_further(branch, polynomials, nonzero, search), search)
+            or _as_one_part(branch, polynomials, search)
         ):
             search.unfinished.append(branch)
         return
@@ -279,6 +281,21 @@ def _settle(
         search.found.append(exact)
     elif not _along(taken_further(branch, polynomials, nonzero, search), search):
         search.unfinished.append(branch)
+
+
+def _as_one_part(
+    branch: Branch, polynomials: Sequence[Polynomial], search: Search
+) -> bool:
+    """Take a branch that is shown to be one part, or nothing that is smaller."""
+    part = only_part(branch, search)
+    if part is None:
+        return False
+    on_part = replace_steps(part, part.steps[len(branch.steps) :])
+    if part.vanishes([on_part.value(p) for p in polynomials]):
+        search.found.append(part)
+        return True
+    bound = None if branch.narrowed else search.bound
+    return bound is not None and branch.codimension >= bound
 
 
 def _along(way: Way | None, search: Search) -> bool:

@@ -6,7 +6,8 @@ where no product of some P² + Q² is a square.  A condition A + l·B with l now
 leaves one part of it, unless A and B vanish together on something as large; then their
 norms, products over all signs of the roots, have a common factor.  Norms are taken
 along a random line modulo a prime, as ranks are: a factor that is there is there along
-the line.
+the line.  So are squares where there are irrational numbers: what is none modulo a
+prime is none.  A condition whose norm is irreducible leaves one part as well.
 
 References: [CoxLittleOShea] §3.6 (resultants and common factors), [Schwartz1980].
 """
@@ -23,13 +24,16 @@ from typing import Any
 from flint import fmpq, fmpq_poly, nmod_poly
 from flint.utils.flint_exceptions import DomainError
 
-from screwkit.algebra.branches import Branch, random_branch_prime
+from screwkit.algebra.branches import Branch
+from screwkit.algebra.factor_degrees import factor_degrees, sums_of
 from screwkit.algebra.fixed_directions import Direction, over_roots
+from screwkit.algebra.modular import random_prime
 from screwkit.algebra.substitution import linear_parts
 from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 
 _Element = dict[int, Any]  # by which roots are factors, as bits
-_SMALL = 10_000  # rational lines have smaller coefficients
+_SMALL, _WIDE = 10_000, 2**60  # coefficients of rational lines, and modulo a prime
+_PRIMES = 12  # modulo which a norm is looked at
 
 
 def leaves_one_part(
@@ -44,7 +48,7 @@ def leaves_one_part(
             part.
     """
     ring = branch.ring
-    if ring.algebraic_relations or ring.divisors_of:
+    if ring.radicands or ring.divisors_of:
         return False
     fixed = [d.pending.value.degrees() for d in directions]
     degrees = condition.degrees()
@@ -54,6 +58,46 @@ def leaves_one_part(
         and _are_coprime(ring, linear_parts(ring, condition, index), directions)
         for index in ring.symbol_indices()
     )
+
+
+def has_one_norm(
+    branch: Branch, condition: Polynomial, directions: Sequence[Direction]
+) -> bool:
+    """Whether a condition is shown to leave one part, where no direction is (0, 0).
+
+    Where its norm, but for what the w² are, is irreducible along a rational line: of
+    all parts of its zeros each meets that factor, and it vanishes once there.
+
+    Args:
+        branch: Where exactly these directions are pending.
+        condition: In normal form.
+        directions: All that are pending, each with an angle of its own; they leave one
+            part.
+    """
+    ring = branch.ring
+    if ring.radicands or ring.divisors_of:
+        return False
+    written = over_roots(ring, condition, directions)
+    if not written:
+        return False
+    source = random.Random(len(condition))
+    size, possible = None, set[int]()
+    for _ in range(_PRIMES):
+        numbers = _Numbers.random(ring, source)
+        line = _Line.random(ring, random.Random(11), numbers)
+        roots = [_Root.of(ring, direction, line) for direction in directions]
+        left = _norm(_element(written, roots, line), roots)
+        if left == 0:
+            return False
+        left = _without(left, [*(root.square for root in roots), *line.denominators])
+        degrees = factor_degrees(left)
+        if degrees is None or size not in (None, left.degree()):
+            return False
+        possible = sums_of(degrees) if size is None else possible & sums_of(degrees)
+        size = left.degree()
+        if possible == {0, size}:
+            return True
+    return False
 
 
 def are_one_part(branch: Branch, directions: Sequence[Direction]) -> bool:
@@ -66,15 +110,34 @@ def are_one_part(branch: Branch, directions: Sequence[Direction]) -> bool:
         directions: Each with an angle of its own.
     """
     ring = branch.ring
-    if ring.algebraic_relations or ring.divisors_of:
+    if ring.radicands or ring.divisors_of:
         return False
-    line = _Line.random(ring, random.Random(len(directions)), None)
+    source = random.Random(len(directions))
+    numbers = _Numbers.random(ring, source) if ring.algebraic_relations else None
+    line = _Line.random(ring, source, numbers)
     squares = [_Root.of(ring, d, line).square for d in directions]
     return not any(
         _is_square(prod(chosen[1:], start=chosen[0]))
         for count in range(1, len(squares) + 1)
         for chosen in combinations(squares, count)
     )
+
+
+@dataclass(frozen=True)
+class _Numbers:
+    """A prime, and the irrational numbers of a ring as residues, by generator."""
+
+    prime: int
+    residues: Mapping[int, int]
+
+    @classmethod
+    def random(cls, ring: TrigonometricRing, source: random.Random) -> _Numbers:
+        minimal = [(i, m) for i, m in ring.algebraic_relations if isinstance(m, tuple)]
+        while True:
+            prime = random_prime(source)
+            roots = [(i, nmod_poly(list(m), prime).roots()) for i, m in minimal]
+            if all(own for _, own in roots):
+                return cls(prime, {i: int(own[0][0]) for i, own in roots})
 
 
 def _is_square(polynomial: Any) -> bool:
@@ -94,7 +157,7 @@ def _are_coprime(
         return False
     written = [over_roots(ring, polynomial, directions) for polynomial in pair]
     source = random.Random(len(directions))
-    line = _Line.random(ring, source, random_branch_prime(source))
+    line = _Line.random(ring, source, _Numbers.random(ring, source))
     roots = [_Root.of(ring, direction, line) for direction in directions]
     norms = []
     for parts in written:
@@ -104,13 +167,18 @@ def _are_coprime(
         if norm == 0:
             return False
         norms.append(norm)
-    shared = norms[0].gcd(norms[1])
-    for known in [*(root.square for root in roots), *line.denominators]:
-        factor = shared.gcd(known)
+    known = [*(root.square for root in roots), *line.denominators]
+    return bool(_without(norms[0].gcd(norms[1]), known).degree() == 0)
+
+
+def _without(polynomial: Any, known: Sequence[Any]) -> Any:
+    """A polynomial without the factors that it shares with known ones."""
+    for own in known:
+        factor = polynomial.gcd(own)
         while factor.degree() > 0:
-            shared //= factor
-            factor = shared.gcd(factor)
-    return bool(shared.degree() == 0)
+            polynomial //= factor
+            factor = polynomial.gcd(factor)
+    return polynomial
 
 
 @dataclass(frozen=True)
@@ -131,14 +199,16 @@ class _Line:
 
     @classmethod
     def random(
-        cls, ring: TrigonometricRing, source: random.Random, prime: int | None
+        cls, ring: TrigonometricRing, source: random.Random, numbers: _Numbers | None
     ) -> _Line:
+        prime, most = (numbers.prime, _WIDE) if numbers else (None, _SMALL)
+
         def along() -> Any:
-            return _poly(
-                [source.randrange(1, prime or _SMALL) for _ in range(2)], prime
-            )
+            return _poly([source.randrange(1, most) for _ in range(2)], prime)
 
         images = [along() for _ in ring.names]
+        for index, number in (numbers.residues if numbers else {}).items():
+            images[index] = _poly([number], prime)
         denominators, places = [], {}
         for angle in range(len(ring.basis)):
             tangent = along()

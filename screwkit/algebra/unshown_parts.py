@@ -55,7 +55,7 @@ def parts_beside(
 
     None where it could not be settled.
     """
-    if len(branch.pending) < 2:
+    if len(branch.pending) < 2 or branch.shown == branch.texts:
         return ()
     last = branch.pending[-1]
     before = without(branch, last)

@@ -23,7 +23,12 @@ from screwkit.kinematics.limb_parts import Parts
 from screwkit.loci.determinantal import largest_codimension
 from screwkit.loci.pieces import Piece, lies_in
 from screwkit.loci.wrench_blocks import block_minors
-from screwkit.loci.wrench_sums import height_of, loop_rank_at, telling_minors
+from screwkit.loci.wrench_sums import (
+    height_of,
+    loop_rank_at,
+    telling_minors,
+    wrenches_overlap,
+)
 
 _APART = 70
 """Case distinctions for a branch that is taken apart."""
@@ -57,6 +62,7 @@ def dependent_zeros(
     *,
     within: bool = False,
     in_blocks: bool = False,
+    overlapping: bool = True,
 ) -> Dependence:
     """Where on a branch the loop constraint matrix has less than its rank there.
 
@@ -68,6 +74,7 @@ def dependent_zeros(
             left out.  Of limbs with loops inside nothing else is known.
         in_blocks: Compare wrenches that limbs share in a few coordinates on their own,
             where ``within``: it goes further, and decides less of a single piece.
+        overlapping: In blocks only where some wrench is redundant.
     """
     if len(limbs) < 2 or not any(limbs):
         return Dependence((), ())
@@ -75,10 +82,19 @@ def dependent_zeros(
         return Dependence((), (branch,))
     bound = largest_codimension(branch, limbs, height_of(limbs), within=within)
     own = search if bound is None else replace(search, bound=bound)
-    zeros = _Zeros(limbs, own, within, in_blocks)
+    zeros = _Zeros(limbs, own, within, in_blocks, overlapping=overlapping)
     found = zeros.on(branch)
     search.budget = own.budget
     return found
+
+
+def has_separate_blocks(branch: Branch, limbs: Sequence[Parts], search: Search) -> bool:
+    """Whether wrenches, none of them redundant, are blocks (`wrench_blocks`)."""
+    height = height_of(limbs)
+    if not branch.points or wrenches_overlap(limbs, height, *branch.points[0]):
+        return False
+    lists = block_minors(branch, limbs, height, search, overlapping=False)
+    return lists is not None and len(lists) > 1
 
 
 def minors_on(
@@ -104,6 +120,7 @@ class _Zeros:
     within: bool
     in_blocks: bool = False
     is_part: bool = False
+    overlapping: bool = True
 
     def on(self, branch: Branch) -> Dependence:
         generic = self._rank(branch)
@@ -166,7 +183,13 @@ class _Zeros:
         """Zeros on a branch where the limbs' wrenches are blocks; None where not."""
         if not (self.within and self.in_blocks) or self.is_part:
             return None
-        lists = block_minors(here, self.limbs, height_of(self.limbs), self.search)
+        lists = block_minors(
+            here,
+            self.limbs,
+            height_of(self.limbs),
+            self.search,
+            overlapping=self.overlapping,
+        )
         if lists is None:
             return None
         found: list[Branch] = []

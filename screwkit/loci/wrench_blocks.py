@@ -48,7 +48,12 @@ Minors = list[Polynomial]
 
 
 def block_minors(
-    branch: Branch, limbs: Sequence[Parts], height: int, search: Search
+    branch: Branch,
+    limbs: Sequence[Parts],
+    height: int,
+    search: Search,
+    *,
+    overlapping: bool = True,
 ) -> list[Minors] | None:
     """Lists of polynomials; where limbs become dependent, one list vanishes together.
 
@@ -57,15 +62,16 @@ def block_minors(
         limbs: Each of one rank where it is looked at.
         height: Coordinates of a twist.
         search: Factors that are known.
+        overlapping: Only where some wrench is redundant; else `reciprocal_meets` is
+            shorter as a rule.
 
     Returns:
-        None where the wrenches are no such blocks, or too long, or none of them is
-        redundant (for `reciprocal_meets` is shorter then).
+        None where the wrenches are no such blocks, or too long.
     """
     if not branch.points:
         return None
     at = branch.points[0]
-    if not wrenches_overlap(limbs, height, *at):
+    if overlapping and not wrenches_overlap(limbs, height, *at):
         return None
     vectors: list[Vector] = []
     for limb in limbs:
