@@ -25,7 +25,9 @@ from screwkit.algebra.cases import (
     terms_of_squares,
 )
 from screwkit.algebra.fixed_directions import (
+    fixed_directions,
     is_mixed,
+    vanish_on_directions,
 )
 from screwkit.algebra.nowhere_zero import (
     is_excluded,
@@ -127,7 +129,7 @@ def _descend(
         if not (
             _along(eliminated(branch, polynomials, nonzero, search), search)
             or _along(taken_further(branch, polynomials, nonzero, search), search)
-            or _as_one_part(branch, polynomials, search)
+            or _as_one_part(branch, polynomials, nonzero, search)
         ):
             search.unfinished.append(branch)
         return
@@ -218,6 +220,8 @@ def _beside_what_is_skipped(
     """
     if len(branch.pending) < 2 or search.surely(branch):
         return True
+    if branch.directed and _is_inside(branch, nonzero, search):
+        return True
     systems = left_over(branch, search.inside(branch))
     if systems is not None:
         before, _ = before_pending(branch)
@@ -229,6 +233,20 @@ def _beside_what_is_skipped(
         return _along(taken_further(branch, polynomials, nonzero, search), search)
     _descend_parts(branch, parts, polynomials, nonzero, search)
     return True
+
+
+def _is_inside(branch: Branch, nonzero: Sequence[Polynomial], search: Search) -> bool:
+    """Whether a branch where angles are fixed is seen to lie in a known set.
+
+    Where directions are (0, 0) was searched before.
+    """
+    fixed = fixed_directions(branch)
+    if not all(is_among(branch, d.square(branch.ring), nonzero) for d in fixed):
+        return False
+    return any(
+        vanish_on_directions(branch, [*map(branch.value, equations)], fixed)
+        for equations in search.inside(branch)
+    )
 
 
 def _beside_what_is_special(
@@ -284,18 +302,29 @@ def _settle(
 
 
 def _as_one_part(
-    branch: Branch, polynomials: Sequence[Polynomial], search: Search
+    branch: Branch,
+    polynomials: Sequence[Polynomial],
+    nonzero: Sequence[Polynomial],
+    search: Search,
 ) -> bool:
-    """Take a branch that is shown to be one part, or nothing that is smaller."""
-    part = only_part(branch, search)
-    if part is None:
+    """Take a branch that is shown to be one part, or nothing that is smaller.
+
+    Other parts, on which something short vanishes too, are searched.
+    """
+    only = only_part(branch, search) if search.budget > 0 else None
+    if only is None:
         return False
+    part = only.part
     on_part = replace_steps(part, part.steps[len(branch.steps) :])
     if part.vanishes([on_part.value(p) for p in polynomials]):
         search.found.append(part)
-        return True
-    bound = None if branch.narrowed else search.bound
-    return bound is not None and branch.codimension >= bound
+    elif branch.narrowed or search.bound is None or branch.codimension < search.bound:
+        return False
+    before, again = before_pending(branch)
+    for own in only.beside:
+        search.budget -= 1
+        _descend(before, [own, *again, *polynomials], list(nonzero), search)
+    return True
 
 
 def _along(way: Way | None, search: Search) -> bool:

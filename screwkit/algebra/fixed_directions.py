@@ -193,6 +193,32 @@ def over_roots(
     return parts
 
 
+def vanish_on_directions(
+    branch: Branch, polynomials: Sequence[Polynomial], directions: Sequence[Direction]
+) -> bool:
+    """Whether polynomials are seen to vanish where no direction is (0, 0).
+
+    All their coefficients over the w are multiples of one more condition.
+
+    Args:
+        branch: Where these directions are pending, and other conditions.
+        polynomials: In the generators left on the branch.
+        directions: Each with an angle of its own.
+    """
+    ring = branch.ring
+    held = [direction.pending for direction in directions]
+    others = [p.value for p in branch.pending if p not in held and not p.companions]
+    divisors = [_divisor(ring, other) for other in others]
+    for polynomial in polynomials:
+        parts = over_roots(ring, polynomial, directions) if polynomial != 0 else {}
+        if parts is None or not all(
+            any(divisor.divide(part) is not None for divisor in divisors)
+            for part in parts.values()
+        ):
+            return False
+    return True
+
+
 def _shared(
     ring: TrigonometricRing,
     polynomial: Polynomial,

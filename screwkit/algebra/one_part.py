@@ -60,44 +60,62 @@ def leaves_one_part(
     )
 
 
-def has_one_norm(
+def one_norm_beside(
     branch: Branch, condition: Polynomial, directions: Sequence[Direction]
-) -> bool:
-    """Whether a condition is shown to leave one part, where no direction is (0, 0).
+) -> list[Polynomial] | None:
+    """Where a condition may leave more than the one part that it is shown to leave.
 
-    Where its norm, but for what the w² are, is irreducible along a rational line: of
-    all parts of its zeros each meets that factor, and it vanishes once there.
+    Its norm, but for what the w² are, is a product of coordinates, or of coefficients
+    of the directions, and of one irreducible factor, along a rational line: of all
+    parts of its zeros each meets a factor, and one alone that which it has once.
 
     Args:
         branch: Where exactly these directions are pending.
         condition: In normal form.
         directions: All that are pending, each with an angle of its own; they leave one
             part.
+
+    Returns:
+        Those coordinates and coefficients; None where no irreducible factor was shown.
     """
     ring = branch.ring
     if ring.radicands or ring.divisors_of:
-        return False
+        return None
     written = over_roots(ring, condition, directions)
     if not written:
-        return False
+        return None
+    tried = _short_factors(ring, directions)
     source = random.Random(len(condition))
-    size, possible = None, set[int]()
+    size, beside, possible = None, list[Polynomial](), set[int]()
     for _ in range(_PRIMES):
-        numbers = _Numbers.random(ring, source)
-        line = _Line.random(ring, random.Random(11), numbers)
+        line = _Line.random(ring, random.Random(11), _Numbers.random(ring, source))
         roots = [_Root.of(ring, direction, line) for direction in directions]
         left = _norm(_element(written, roots, line), roots)
         if left == 0:
-            return False
+            return None
         left = _without(left, [*(root.square for root in roots), *line.denominators])
+        for own in tried if size is None else beside:
+            rest = _without(left, [line.value(own, line.degrees([own]))])
+            if rest.degree() < left.degree() and size is None:
+                beside.append(own)
+            left = rest
         degrees = factor_degrees(left)
         if degrees is None or size not in (None, left.degree()):
-            return False
+            return None
         possible = sums_of(degrees) if size is None else possible & sums_of(degrees)
         size = left.degree()
-        if possible == {0, size}:
-            return True
-    return False
+        if size and possible == {0, size}:
+            return beside
+    return None
+
+
+def _short_factors(
+    ring: TrigonometricRing, directions: Sequence[Direction]
+) -> list[Polynomial]:
+    """Coordinates and coefficients of directions, each once."""
+    found = [ring.context.gen(index) for index in ring.symbol_indices()]
+    found += [p for d in directions for p in (d.across, d.along)]
+    return [*{str(p): p for p in found if p != 0 and not p.is_constant()}.values()]
 
 
 def are_one_part(branch: Branch, directions: Sequence[Direction]) -> bool:

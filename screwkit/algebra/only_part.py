@@ -11,21 +11,35 @@ References: [CoxLittleOShea] §5.4 (the coordinate ring of a variety).
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from screwkit.algebra.branches import Branch, Pending, without
 from screwkit.algebra.fixed_directions import Direction, fixed_directions
-from screwkit.algebra.one_part import are_one_part, has_one_norm
+from screwkit.algebra.one_part import are_one_part, one_norm_beside
 from screwkit.algebra.points import residue
 from screwkit.algebra.search import Search, irreducible_parts
 from screwkit.algebra.splitting import split
 from screwkit.algebra.substitution import linear_parts
+from screwkit.algebra.trigonometric import Polynomial
 
 _TRIED = 12
 """Branches that are solved for a coordinate."""
 
 
-def only_part(branch: Branch, search: Search) -> Branch | None:
+@dataclass(frozen=True)
+class OnlyPart:
+    """A branch as one part, but for parts on which something short vanishes.
+
+    Attributes:
+        part: With the conditions of the branch, and points.
+        beside: What vanishes on other parts.
+    """
+
+    part: Branch
+    beside: tuple[Polynomial, ...]
+
+
+def only_part(branch: Branch, search: Search) -> OnlyPart | None:
     """The branch, solved so that it has points, where it is shown to be one part.
 
     Args:
@@ -33,31 +47,37 @@ def only_part(branch: Branch, search: Search) -> Branch | None:
         search: Known factors.
 
     Returns:
-        With the conditions of the branch; None where that was not shown.
+        None where that was not shown.
     """
     if not branch.directed or branch.points:
         return None
-    directions = _directions(branch)
-    if directions is None:
+    shown = _directions(branch)
+    if shown is None:
         return None
-    squares = [direction.square(branch.ring) for direction in directions]
+    directions, beside = shown
+    nonzero = [*(direction.square(branch.ring) for direction in directions), *beside]
     for solved in _solved(replace(branch, directed=False), search):
         whole = replace(solved, steps=solved.steps[len(branch.steps) :])
-        values = [whole.value(square) for square in squares]
+        values = [whole.value(own) for own in nonzero]
         if all(any(residue(v, *at) for at in solved.points) for v in values):
-            return replace(solved, conditions=branch.conditions, shown=branch.texts)
+            kept = () if beside else branch.texts
+            found = replace(solved, conditions=branch.conditions, shown=frozenset(kept))
+            return OnlyPart(found, tuple(beside))
     return None
 
 
-def _directions(branch: Branch) -> list[Direction] | None:
+def _directions(branch: Branch) -> tuple[list[Direction], list[Polynomial]] | None:
     """Those that all conditions but one fix, if the conditions leave one part."""
     for last in reversed(branch.pending):
         before = without(branch, last)
         fixed = fixed_directions(before)
         if last.companions or last.beside or len(fixed) < len(before.pending):
             continue
-        if are_one_part(before, fixed) and has_one_norm(before, last.value, fixed):
-            return fixed
+        if not are_one_part(before, fixed):
+            continue
+        beside = one_norm_beside(before, last.value, fixed)
+        if beside is not None:
+            return fixed, beside
     return None
 
 

@@ -372,6 +372,9 @@ def _examine(branch: Branch, chosen: Sequence[Stratum], walk: _Walk) -> None:
         budget=min(_BUDGET, walk.effort),
         skip=lambda b: any(lies_in(b, piece) for piece in elsewhere),
         surely=lambda b: any(has_equations_of(b, piece) for piece in elsewhere),
+        inside=lambda b: (
+            piece.equations for piece in elsewhere if b.directed and lies_in(b, piece)
+        ),
         away=tuple(p.equations[0] for p in walk.pieces if len(p.equations) == 1),
     )
     before = search.budget

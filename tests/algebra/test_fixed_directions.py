@@ -8,6 +8,7 @@ affine in e_i, which leaves (P, a·b·sin φ) ∧ (b·R·i − a·i, a·y) ∧ (
 
 from __future__ import annotations
 
+import pytest
 from algebra.test_case_distinctions import POSITIVE
 from one_ring import in_one_ring
 
@@ -15,7 +16,11 @@ from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.constant_multiples import condition_key
 from screwkit.algebra.decomposition import common_zeros, other_parts
 from screwkit.algebra.factors import FactorLibrary
-from screwkit.algebra.fixed_directions import fixed_directions, parted
+from screwkit.algebra.fixed_directions import (
+    fixed_directions,
+    parted,
+    vanish_on_directions,
+)
 from screwkit.algebra.points import residue
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.search import Search
@@ -113,3 +118,21 @@ def test_a_part_as_large_where_an_angle_is_free_is_seen() -> None:
     assert parts is None or any(
         names <= {text(both.ring, c) for c in part.conditions} for part in parts
     )
+
+
+@pytest.mark.parametrize(
+    ("polynomial", "is_zero"),
+    [
+        # w² = x² + y² for w = x·cos q − y·sin q.
+        ("(x*cos(q) - y*sin(q))^2 - 16", True),
+        ("((x*cos(q) - y*sin(q))^2 - 16)*(u + cos(q))", True),
+        ("x*cos(q) - y*sin(q) - 4", False),  # on one of two sheets
+        ("(x*cos(q) - y*sin(q))^2 - 9", False),
+    ],
+)
+def test_what_vanishes_over_a_circle(polynomial: str, is_zero: bool) -> None:
+    """Where a direction is not (0, 0) and x² + y² = 16 no factor shows it."""
+    branch, (circle, own) = where_fixed("x^2 + y^2 - 16", polynomial)
+    (branch,) = restricted(branch, circle)
+    directions = fixed_directions(branch)
+    assert vanish_on_directions(branch, [own], directions) is is_zero

@@ -21,7 +21,7 @@ from screwkit.algebra.branches import Branch, restricted
 from screwkit.algebra.decomposition import common_zeros
 from screwkit.algebra.factors import FactorLibrary
 from screwkit.algebra.fixed_directions import fixed_directions
-from screwkit.algebra.one_part import has_one_norm
+from screwkit.algebra.one_part import one_norm_beside
 from screwkit.algebra.polynomial_text import text
 from screwkit.algebra.search import Search
 
@@ -100,14 +100,19 @@ def test_norms_that_are_irreducible() -> None:
     """With w² = x² + y² for w = x·cos q − y·sin q."""
     length = "(x*cos(q) - y*sin(q))"
     cases = {
-        f"u + {length}": True,  # u² − w²
-        f"sqrt(3)*u + {length}": True,
-        f"({length} - u)*({length} + 2*u)": False,
-        "x + 2*y + 3": False,  # its square: both sheets over one line
+        f"u + {length}": [],  # u² − w²
+        f"sqrt(3)*u + {length}": [],
+        # u times that, and u = 0 is beside it; so is y = 0 where w = x.
+        f"u*(u + {length})": ["u"],
+        f"u*y + {length} - x": ["y"],
+        f"({length} - u)*({length} + 2*u)": None,
+        "x + 2*y + 3": None,  # its square: both sheets over one line
     }
-    for condition, is_one in cases.items():
+    for condition, beside in cases.items():
         ring, (fixed, last) = in_one_ring("x*sin(q) + y*cos(q)", condition)
         (branch,) = restricted(
             replace(Branch(ring, Assumptions(frozenset())), directed=True), fixed
         )
-        assert has_one_norm(branch, last, fixed_directions(branch)) is is_one, condition
+        found = one_norm_beside(branch, last, fixed_directions(branch))
+        told = None if found is None else [text(ring, own) for own in found]
+        assert told == beside, condition
