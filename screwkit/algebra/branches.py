@@ -18,6 +18,7 @@ from screwkit.algebra.angles_as_numbers import are_no_angles
 from screwkit.algebra.assumptions import Assumptions
 from screwkit.algebra.elimination import half_angle_steps, steps_of
 from screwkit.algebra.modular import rank
+from screwkit.algebra.no_common_root import have_no_common_root
 from screwkit.algebra.points import (
     Point,
     branch_primes,
@@ -56,15 +57,13 @@ class Branch:
         conditions: The irreducible polynomials that vanish on it, in order.
         steps: How they were solved.
         pending: Conditions that could not be solved.
-        extra: Further equations that tell the branch from other zeros of its
-            conditions.
+        extra: Further equations: they tell it from other zeros of its conditions.
         nonvanishing: Polynomials of the whole ring that are zero nowhere.
         directions: Vectors of the whole ring that are zero nowhere.
         thorough: Look for points on conditions that share their unknowns, by
             resultants; that may take long.
-        dimensions: Indices of the symbols that are dimensions of the mechanism, not
-            coordinates of its posture.
-        directed: Keep conditions that fix angles (`fixed_directions`) unsolved.
+        dimensions: Indices of symbols that are dimensions, no coordinates of a posture.
+        directed: Keep conditions that fix angles (`fixed_directions`).
         narrowed: Whether a condition was replaced by what its real zeros fulfil.
         shown: Texts of conditions that were shown to leave one part.
     """
@@ -281,8 +280,10 @@ class Branch:
     def is_empty(self) -> bool:
         """Whether a symbol is 0 that is not 0, or an angle not the number it is."""
         left = [pending.value for pending in self.pending]
+        beside = (value for pending in self.pending for value in pending.beside)
         return (
             self.vanishing_symbol is not None
+            or have_no_common_root((*left, *beside), self.steps)
             or any(divmod(v, p)[1] == 0 for v in self._replaced.values() for p in left)
             or are_no_angles(self.ring, self.assumptions, self.steps, left, self.column)
         )
@@ -394,7 +395,6 @@ def without(branch: Branch, pending: Pending) -> Branch:
     """The branch before a pending condition was imposed."""
     left = [p for p in branch.pending if p is not pending]
     conditions = list(branch.conditions)
-    # Imposed twice, it is still a condition by the other one.
-    if pending.condition in conditions:
+    if pending.condition in conditions:  # imposed twice it is one by the other
         conditions.remove(pending.condition)
     return replace(branch, conditions=tuple(conditions), pending=tuple(left))

@@ -136,11 +136,14 @@ def are_multiples(branch: Branch, polynomials: Sequence[Polynomial]) -> bool:
 def irreducible_parts(branch: Branch, search: Search) -> list[Branch]:
     """The branch split until all its pending conditions are irreducible on it.
 
-    Left open where conditions in half angles would have to be imposed again.
+    Equations of a half-angle condition that is no longer one factor are imposed again.
     """
-    if changed_halves(branch, search) is not None:
-        search.unfinished.append(branch)
-        return []
+    changed = changed_halves(branch, search)
+    if changed is not None:
+        again = [without(branch, changed)]
+        for value in (changed.value, *changed.beside):
+            again = [part for own in again for part in imposed(own, value, search)]
+        return again
     parts = refined(branch, search)
     if parts is None:
         return [branch]
