@@ -316,8 +316,13 @@ def _as_one_part(
         return False
     part = only.part
     on_part = replace_steps(part, part.steps[len(branch.steps) :])
-    if part.vanishes([on_part.value(p) for p in polynomials]):
-        search.found.append(part)
+    if not _is_possible(part):
+        return False
+    if part.is_special:
+        search.special.append(part)
+    elif part.vanishes([on_part.value(p) for p in polynomials]):
+        if not loses_a_direction(part):
+            search.found.append(part)
     elif branch.narrowed or search.bound is None or branch.codimension < search.bound:
         return False
     before, again = before_pending(branch)
