@@ -79,8 +79,7 @@ class ProofSearch(SheetNodes):
         rank: Of the matrix in general.
         late: Whether sums that leave more than one case unsolved come after minors.
         patient: Whether squares of axes are looked for among what conditions imply, and
-            sums by Cramer's rule where nothing else helps, as they are where limbs are
-            asked: these take long.
+            sums by Cramer's rule where nothing else helps: these take long.
         trials: Asks whether sheets lie on components; None: it is not tried.
         source: Of the choice of minors.
     """
@@ -222,7 +221,7 @@ class ProofSearch(SheetNodes):
             choice, roots = self.chosen_minor(place)
         except NotProvedError:
             found = None
-            if self.patient or self.asks_limbs:
+            if self.patient or self.has_loops_inside:
                 found = self.of_a_sum(place, number, sum_by_cramer(self, place))
             found = found or self.of_a_sum(
                 place, number, sum_without_angles(self, place)
@@ -231,6 +230,11 @@ class ProofSearch(SheetNodes):
                 raise
             return found
         return self.said(place, number, choice, roots)
+
+    @property
+    def has_loops_inside(self) -> bool:
+        """Whether limbs with loops inside are asked: minors of the whole are long."""
+        return self.asks_limbs and not all(own.is_chain for own in self.problem.limbs)
 
     def chosen_minor(self, place: Place) -> tuple[Choice, tuple[Unsolved, ...]]:
         """The minor that leaves the fewest cases, and how conditions are met.
