@@ -162,7 +162,15 @@ def graph_schemes(
             if declared
             else Undecided(NOTHING_DECLARED),
         )
-    finished("admissible", replace(known, complete=False, reason="no locus yet"))
+    early = replace(
+        known,
+        schemes=tuple(
+            replace(s, undecided=s.undecided or s.admissible) for s in listed
+        ),
+        complete=False,
+        reason="no locus yet",
+    )
+    finished("admissible", early)
     loci = _Loci(graph, work)
     done = []
     for count, scheme in enumerate(listed):

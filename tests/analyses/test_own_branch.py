@@ -7,6 +7,7 @@ from screwkit.analyses.own_branch import MOVES_ALL_ALONG
 from screwkit.analyses.tied_branch import tied_graph
 from screwkit.analyses.tied_singularities import tied_actuation
 from screwkit.case import load_text
+from screwkit.results.schemes import Schemes
 
 KITE = """
 screwkit: 1
@@ -47,6 +48,22 @@ joints:
 actuated: [J1, J0]
 """
 
+SLIDER_CRANK = """
+screwkit: 1
+name: slider_crank
+space: planar
+geometry: reference
+base: ground
+platform: rod
+links: [ground, crank, rod, block]
+joints:
+  - {name: crank, type: revolute, parent: ground, child: crank, point: [0, 0]}
+  - {name: pin, type: revolute, parent: crank, child: rod, point: [0, 1]}
+  - {name: wrist, type: revolute, parent: rod, child: block, point: [3, 0]}
+  - {name: slide, type: prismatic, parent: ground, child: block, axis: [1, 0]}
+actuated: [crank]
+"""
+
 
 def test_exact_postures_of_least_freedom_are_special() -> None:
     """J3 and the first axis of J2 both turn about x, the four-bar with them.
@@ -73,3 +90,17 @@ def test_what_holds_on_another_branch_is_not_said_of_the_own() -> None:
     holding = {x for (x,), scheme in found.items() if scheme.admissible}
     assert holding == {"J1", "J2:0"}
     assert found["J2:1",].reason == MOVES_ALL_ALONG
+
+
+def test_schemes_without_a_locus_yet_are_not_said_to_be_never_singular() -> None:
+    """A crank with a rod on a slide is dead in line, whatever time there was."""
+    early: list[Schemes] = []
+    found = graph_schemes(
+        tied_graph(load_text(SLIDER_CRANK).network),
+        finished=lambda name, part: early.append(part),
+    )
+    assert {x.actuated: len(x.locus) for x in found.schemes}["slide",] == 1
+    (known,) = early
+    assert not known.complete
+    assert all(scheme.undecided for scheme in known.schemes if scheme.admissible)
+    assert known.admissible == found.admissible
