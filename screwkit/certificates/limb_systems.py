@@ -21,6 +21,7 @@ from screwkit.certificates.looped_limbs import (
     FILLED,
     line_of,
     minors_of_limb,
+    stands_still,
     wrenches_with_reactions,
 )
 from screwkit.certificates.records import OfLimb
@@ -72,21 +73,15 @@ class Wrench:
             of a condition.
         line: The wrench alone, without reactions and common factors.
         weight: What the line is multiplied by.
+        terms: Of the wrench alone; of the line alone where it stands still.  What such
+            a one is multiplied by is a squared axis as a rule, zero at no real posture.
     """
 
     covector: Vector
     work: tuple[Multiple, ...]
     line: Vector
     weight: Polynomial
-
-    @property
-    def terms(self) -> int:
-        """How long it is; what a direction that stands still is multiplied by aside.
-
-        Such a weight is a squared axis as a rule, which vanishes at no real posture.
-        """
-        still = all(len(x) < 2 for x in self.line)
-        return size_of(self.line if still else self.covector[:SCREW_DIMENSION])
+    terms: int
 
 
 @dataclass(frozen=True)
@@ -157,11 +152,12 @@ class LimbHere:
     def _wrench(
         self, covector: Vector, work: tuple[Multiple, ...], library: FactorLibrary
     ) -> Wrench:
-        ring = self.branch.ring
-        line, weight = covector[:SCREW_DIMENSION], ring.one
-        if not self.system.is_chain:  # elsewhere there are no common factors
-            line, weight = line_of(ring, covector, library)
-        return Wrench(covector, work, line, weight)
+        ring, whole = self.branch.ring, covector[:SCREW_DIMENSION]
+        if self.system.is_chain:  # then it has no common factors
+            return Wrench(covector, work, whole, ring.one, size_of(whole))
+        line, weight = line_of(ring, covector, library)
+        terms = size_of(line if stands_still(ring, line) else whole)
+        return Wrench(covector, work, line, weight, terms)
 
     def _annihilating(self, library: FactorLibrary) -> list[Vector]:
         columns = [column for column, _ in self.columns]

@@ -20,10 +20,10 @@ from screwkit.algebra.common_factors import without_common_factors
 from screwkit.algebra.factor_library import FactorLibrary
 from screwkit.algebra.minors import minors_of
 from screwkit.algebra.modular import independent, rank
-from screwkit.algebra.points import Point, residue
+from screwkit.algebra.points import Point, branch_primes, random_point, residue
 from screwkit.algebra.quotients import quotient_of
 from screwkit.algebra.remembered import RememberedColumns
-from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing, content
+from screwkit.algebra.trigonometric import Polynomial, TrigonometricRing
 from screwkit.certificates.short_minors import ShortMinor, short_minors
 from screwkit.conventions import SCREW_DIMENSION
 from screwkit.kinematics.whole_graph import Row
@@ -124,44 +124,49 @@ def _wrenches(
     helpers = sorted(reactions.values(), key=size_of)[:HELPERS]
     found = shorter_vectors(branch.ring, _spanning(known, at), helpers)
     left = [own for own in found if not branch.vanishes(own[:SCREW_DIMENSION])]
-    return [*left, *_turned(branch, left, library)]
+    return [*left, *_still(branch, left, library)]
 
 
-def _turned(
+def _still(
     branch: Branch, vectors: Sequence[Vector], library: FactorLibrary
 ) -> list[Vector]:
-    """Sums of two of them along a line of which each coordinate is a single term.
+    """Sums of two of them in which a coordinate vanishes, on a line that stands still.
 
     Of a couple n along the axis of a parallelogram and of one across it one sum is |n|²
-    times a couple whose direction stands still: it vanishes at no real posture, where
-    each coordinate of the two may.
+    times a couple whose direction is the same everywhere: it vanishes at no real
+    posture, where each coordinate of the two may.
     """
     ring, first = branch.ring, slice(SCREW_DIMENSION)
-    known = {_direction(ring, own, library) for own in vectors}
+    prime, source = branch_primes()[0], random.Random(len(vectors))
+    points = [random_point(ring, source, prime) for _ in range(2)]
+    there = [_at([own[first] for own in vectors], (p, prime)) for p in points if p]
+    if len(there) < 2:
+        return []
+    pairs = [*zip(*there, strict=True)]
+    known = [one for one, two in pairs if rank([one, two], prime) == 1]
     found = []
-    for one, two in combinations(vectors, 2):
-        for a, b in zip(one[first], two[first], strict=True):
-            if a == 0 or b == 0 or (a.is_constant() and b.is_constant()):
+    for (one, a), (two, b) in combinations(zip(vectors, pairs, strict=True), 2):
+        for place in range(SCREW_DIMENSION):
+            if one[place] == 0 or two[place] == 0:
                 continue
-            pairs = zip(one, two, strict=True)
-            whole = tuple(ring.normal(b * x - a * y) for x, y in pairs)
-            if branch.vanishes(whole[first]):
+            lines = [
+                [
+                    (v[place] * x - u[place] * y) % prime
+                    for x, y in zip(u, v, strict=True)
+                ]
+                for u, v in zip(a, b, strict=True)
+            ]
+            # The same at two random postures, and none that is there already.
+            if not all(map(any, lines)) or rank(lines, prime) > 1:
                 continue
-            line, _ = line_of(ring, whole, library)
-            direction = _direction(ring, line, library)
-            if direction not in known and max(map(len, line)) == 1:
-                known.add(direction)
-                found.append(shortened_vector(branch, whole, library))
+            if any(rank([lines[0], own], prime) == 1 for own in known):
+                continue
+            known.append(lines[0])
+            times = two[place], one[place]
+            terms = zip(one, two, strict=True)
+            whole = [ring.normal(times[0] * x - times[1] * y) for x, y in terms]
+            found.append(shortened_vector(branch, whole, library))
     return found
-
-
-def _direction(
-    ring: TrigonometricRing, vector: Vector, library: FactorLibrary
-) -> tuple[str, ...]:
-    """The line of a wrench, up to its size."""
-    line, _ = line_of(ring, vector, library)
-    scale = content(next(x for x in line if x != 0))
-    return tuple(str(x / scale) for x in line)
 
 
 def line_of(
@@ -179,6 +184,17 @@ def line_of(
     value, below = next((a, b) for a, b in zip(whole, found, strict=True) if b != 0)
     weight = quotient_of(ring, value, below)
     return (whole, ring.one) if weight is None else (found, weight)
+
+
+def stands_still(ring: TrigonometricRing, line: Vector) -> bool:
+    """Whether the coordinates of a line are numbers.
+
+    Args:
+        ring: Of the coordinates.
+        line: Six of them, without common factors.
+    """
+    numbers = {k for k, own in ring.algebraic_relations if isinstance(own, tuple)}
+    return _symbols(*line) <= numbers
 
 
 def _spanning(vectors: Sequence[Vector], at: tuple[Point, int]) -> list[Vector]:

@@ -91,16 +91,20 @@ def lasting_minors(
 
     Returns:
         The minors of the wrenches that the limbs have at every posture, and the largest
-        codimension of a part of their common zeros; no minors where the wrenches are
-        not more than their coordinates, or too long.
+        codimension of a part of their common zeros; no minors where the limbs hold the
+        platform by no more wrenches than a twist has coordinates, or these are too
+        many.
     """
     if not all(limbs) or not root.points or any(map(has_loops, limbs)):
         return [], 0
     height, at = height_of(limbs), root.points[0]
     each = [_lasting(root, limb, height, at, search) for limb in limbs]
-    wrenches = [wrench for own in each if own is not None for wrench in own.wrenches]
+    systems = [own for own in each if own is not None]
+    wrenches = [wrench for own in systems for wrench in own.wrenches]
     count = len(wrenches)
-    if None in each or count <= height or comb(count, height) > ALL:
+    if len(systems) < len(each) or comb(count, height) > ALL:
+        return [], 0
+    if sum(own.dimension for own in systems) <= height:
         return [], 0
     minors = overlap_minors(root, wrenches, at, _DEAREST, _LONGEST)
     return minors, count - height + 1
