@@ -51,7 +51,7 @@ from screwkit.algebra.search import (
 )
 from screwkit.algebra.special_parts import parts_beside_special
 from screwkit.algebra.trigonometric import Polynomial
-from screwkit.algebra.unshown_parts import parts_beside, told_apart
+from screwkit.algebra.unshown_parts import parts_beside, settled_parts
 from screwkit.algebra.ways_further import (
     Way,
     eliminated,
@@ -294,9 +294,12 @@ def _settle(
         return
     if _along(eliminated(branch, polynomials, nonzero, search), search):
         return
-    exact = told_apart(branch, search, common_zeros) if _is_possible(branch) else None
-    if exact is not None:
-        search.found.append(exact)
+    settled = (
+        settled_parts(branch, search, common_zeros) if _is_possible(branch) else None
+    )
+    if settled is not None:
+        search.found.append(settled[0])
+        _descend_parts(branch, settled[1], polynomials, nonzero, search)
     elif not _along(taken_further(branch, polynomials, nonzero, search), search):
         search.unfinished.append(branch)
 

@@ -15,10 +15,11 @@ from typing import TypeAlias
 
 from screwkit.algebra.branches import Branch, without
 from screwkit.algebra.fixed_directions import fixed_directions
-from screwkit.algebra.linear_systems import linear_systems
+from screwkit.algebra.linear_systems import linear_systems, solutions_of
 from screwkit.algebra.one_part import are_one_part, leaves_one_part
 from screwkit.algebra.points import residue
 from screwkit.algebra.points_on import coefficients_in, unknowns
+from screwkit.algebra.quotients import quotient_of
 from screwkit.algebra.search import (
     Decomposition,
     Search,
@@ -42,10 +43,57 @@ def told_apart(branch: Branch, search: Search, zeros: Zeros) -> Branch | None:
     that unknown.  Such a spurious part is excluded by a polynomial of the problem that
     does not vanish there.  None where that could not be settled.
     """
+    settled = settled_parts(branch, search, zeros)
+    return None if settled is None else settled[0]
+
+
+def settled_parts(
+    branch: Branch, search: Search, zeros: Zeros
+) -> tuple[Branch, tuple[Branch, ...]] | None:
+    """The same, and parts that are no spurious ones, on which it does not lie.
+
+    Such a part has the size of the branch, and all polynomials of the problem vanish on
+    it: conditions y·s = z·c and x·c = z·s hold where x = y = z = 0, and where x, s and
+    z are 0.  They are given only if equations of the branch were found that tell it
+    from them.
+    """
     if len(branch.pending) < 2 or search.every_part:
-        return branch
+        return branch, ()
     parts = parts_beside(branch, search, zeros)
-    return None if parts is None else _excluding(branch, parts, search)
+    if parts is None:
+        return None
+    exact = _excluding(branch, parts, search)
+    alike = [p for p in parts if _is_alike(p, branch, search)]
+    own = _solved(branch) if alike else []
+    if not all(any(_is_off(e, part) for e in own) for part in alike):
+        return exact, ()
+    return replace(exact, extra=(*exact.extra, *own)), tuple(alike)
+
+
+def _is_alike(part: Branch, branch: Branch, search: Search) -> bool:
+    return (
+        part.codimension == branch.codimension
+        and bool(part.points)
+        and not any(_is_off(polynomial, part) for polynomial in search.problem)
+    )
+
+
+def _is_off(polynomial: Polynomial, branch: Branch) -> bool:
+    """Whether a polynomial is not zero on a branch."""
+    return any(residue(polynomial, *at) for at in branch.points)
+
+
+def _solved(branch: Branch) -> list[Polynomial]:
+    """What pending conditions say of symbols that they determine as polynomials."""
+    ring, found = branch.ring, list[Polynomial]()
+    values = [pending.value for pending in branch.pending]
+    for system in linear_systems(ring, values):
+        above = solutions_of(ring, values, system)
+        for symbol, value in zip(system.symbols, above, strict=True):
+            solved = quotient_of(ring, ring.normal(value), system.determinant)
+            if solved is not None:
+                found.append(ring.normal(ring.context.gen(symbol) - solved))
+    return [own for own in found if not _is_off(own, branch)]
 
 
 def parts_beside(
