@@ -221,7 +221,7 @@ def _excluding(branch: Branch, spurious: Sequence[Branch], search: Search) -> Br
     for part in spurious:
         if part.codimension > branch.codimension or not part.points:
             continue
-        tell = [p for p in search.problem if any(residue(p, *at) for at in part.points)]
+        tell = [p for p in search.problem if _is_off(p, part)]
         if tell and not any(e in tell for e in extra):
             extra.append(min(tell, key=len))
     return replace(branch, extra=(*branch.extra, *extra))

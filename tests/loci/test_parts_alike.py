@@ -8,54 +8,11 @@ from math import atan2, cos, pi, sin
 import numpy as np
 import pytest
 from loci.numeric import value
+from loci.tripterons import TRIPTERON
 
 import screwkit
 from screwkit.case import load_text
 from screwkit.results.singularities import ConstraintSingularities
-
-# Three slides through one point; each carries a planar arm of three hinges along it.
-TRIPTERON = """screwkit: 1
-name: equal_distances
-title: Tripteron with slides through one point
-space: spatial
-geometry: posture
-base: base
-platform: tool
-links: [base, tool, l11, l12, l13, l21, l22, l23, l31, l32, l33]
-variables:
-  x: 0.3
-  y: 0.4
-  z: 0.5
-  s1: {value: 1, angle: true}
-  s2: {value: 1, angle: true}
-  s3: {value: 1, angle: true}
-points:
-  X: [x, y, z]
-  C1: [x, 2, 2]
-  C2: [2, y, 2]
-  C3: [2, 2, z]
-  D1: [x, 2 + cos(s1), 2 + sin(s1)]
-  D2: [2 + sin(s2), y, 2 + cos(s2)]
-  D3: [2 + cos(s3), 2 + sin(s3), z]
-vectors:
-  d1: [1, 0, 0]
-  d2: [0, 1, 0]
-  d3: [0, 0, 1]
-joints:
-  - {name: P1, type: prismatic, parent: base, child: l11, axis: d1}
-  - {name: R11, type: revolute, parent: l11, child: l12, axis: d1, point: C1}
-  - {name: R12, type: revolute, parent: l12, child: l13, axis: d1, point: D1}
-  - {name: R13, type: revolute, parent: l13, child: tool, axis: d1, point: X}
-  - {name: P2, type: prismatic, parent: base, child: l21, axis: d2}
-  - {name: R21, type: revolute, parent: l21, child: l22, axis: d2, point: C2}
-  - {name: R22, type: revolute, parent: l22, child: l23, axis: d2, point: D2}
-  - {name: R23, type: revolute, parent: l23, child: tool, axis: d2, point: X}
-  - {name: P3, type: prismatic, parent: base, child: l31, axis: d3}
-  - {name: R31, type: revolute, parent: l31, child: l32, axis: d3, point: C3}
-  - {name: R32, type: revolute, parent: l32, child: l33, axis: d3, point: D3}
-  - {name: R33, type: revolute, parent: l33, child: tool, axis: d3, point: X}
-actuated: [P1, P2, P3]
-"""
 
 
 @cache
